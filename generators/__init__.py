@@ -1,0 +1,1 @@
+"""Procedural plant generators; they know only treefit.plant."""

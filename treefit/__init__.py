@@ -1,0 +1,1 @@
+"""Fits parameters of procedural plant generators to one picture of a tree."""

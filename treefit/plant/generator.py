@@ -1,0 +1,41 @@
+"""Generator: the one thing that the search asks of a procedural plant generator (sec. 3)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Protocol
+
+from treefit.plant.parameters import ParameterSpace, Values
+from treefit.plant.plant import Plant
+
+
+@dataclass(frozen=True)
+class Budget:
+    """Counts at which a generator must stop growing; the plant then says that it was cut."""
+
+    vertices: int = 50_000
+    leaves: int = 100_000
+
+    def __post_init__(self) -> None:
+        if self.vertices < 2 or self.leaves < 0:
+            raise ValueError(f"budget: needs vertices >= 2 and leaves >= 0, got {self.vertices}, {self.leaves}")
+
+
+class Generator(Protocol):
+    """A pure function of (values, seed, budget): the same input gives the same bytes.
+
+    `parallel` says how several calls run at once: "threads" when the work releases the GIL, "processes" when not.
+    `size_parameter` names the parameter that only scales the plant (a picture cannot see it), or is None.
+    """
+
+    name: str
+    version: str
+    parallel: str
+    size_parameter: str | None
+
+    @property
+    def space(self) -> ParameterSpace:
+        """Parameters that the generator takes."""
+
+    def __call__(self, values: Values, seed: int, budget: Budget) -> Plant:
+        """Plant grown from `values` by name; every draw comes from streams keyed by `seed`."""
