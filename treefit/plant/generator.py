@@ -22,16 +22,23 @@ class Budget:
 
 
 class Generator(Protocol):
-    """A pure function of (values, seed, budget): the same input gives the same bytes.
+    """A pure function of (values, seed, budget): the same input gives the same bytes."""
 
-    `parallel` says how several calls run at once: "threads" when the work releases the GIL, "processes" when not.
-    `size_parameter` names the parameter that only scales the plant (a picture cannot see it), or is None.
-    """
+    @property
+    def name(self) -> str:
+        """Name of the generator, as presets carry it."""
 
-    name: str
-    version: str
-    parallel: str
-    size_parameter: str | None
+    @property
+    def version(self) -> str:
+        """Changes whenever the same values and seed give another plant."""
+
+    @property
+    def parallel(self) -> str:
+        """How several calls run at once: "threads" when the work releases the GIL, else "processes"."""
+
+    @property
+    def size_parameter(self) -> str | None:
+        """Parameter that only scales the plant, which no picture can see; None when there is none."""
 
     @property
     def space(self) -> ParameterSpace:

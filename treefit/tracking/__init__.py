@@ -1,1 +1,7 @@
-"""To be written."""
+"""Tracking: keeps the numbers and files of runs; the only room that knows mlflow."""
+
+from treefit.tracking.mlflow_tracker import MlflowTracker
+from treefit.tracking.no_tracker import NoTracker
+from treefit.tracking.tracker import Tracker
+
+__all__ = ["MlflowTracker", "NoTracker", "Tracker"]

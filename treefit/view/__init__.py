@@ -1,1 +1,6 @@
-"""To be written."""
+"""A plant becomes a mask."""
+
+from treefit.view.frame import BitMask, Frame, frame_for, place, sample
+from treefit.view.orthographic import OrthographicView
+
+__all__ = ["BitMask", "Frame", "OrthographicView", "frame_for", "place", "sample"]

@@ -1,0 +1,84 @@
+"""A group of the configuration becomes the object that it describes, by Hydra's instantiate."""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Iterator, Mapping
+from importlib import import_module
+
+from hydra.errors import InstantiationException
+from hydra.utils import instantiate
+from omegaconf import DictConfig, OmegaConf
+from pydantic import ValidationError
+
+from experiments.errors import UserError, describe_validation, did_you_mean, one_line
+
+ALLOWED = ("treefit.", "generators.", "experiments.")
+
+
+def build(cfg_node: DictConfig, place: str) -> object:
+    """Object that `cfg_node` describes by `_target_`; `place` is its name in the configuration, for messages.
+
+    Raises UserError with one line for a setting of a wrong name, type or range, and for a `_target_` outside
+    this project: a configuration file must not be able to run any code of the machine.
+    """
+    if not OmegaConf.is_config(cfg_node) or "_target_" not in cfg_node:
+        raise UserError(f"{place}: needs a group with a _target_, got {cfg_node!r}")
+    settings = OmegaConf.to_container(cfg_node, resolve=True)
+    _check_targets(settings, place)
+    _check_names(settings, place)
+    try:
+        return instantiate(cfg_node, _convert_="all")
+    except InstantiationException as error:
+        raise UserError(_explain(error, place)) from error
+
+
+def _check_targets(settings: object, place: str) -> None:
+    for target in _targets(settings):
+        if not target.startswith(ALLOWED):
+            raise UserError(f"{place}: _target_ must start with one of {', '.join(ALLOWED)}; got {target!r}")
+
+
+def _targets(settings: object) -> Iterator[str]:
+    if isinstance(settings, Mapping):
+        if "_target_" in settings:
+            yield str(settings["_target_"])
+        for value in settings.values():
+            yield from _targets(value)
+    elif isinstance(settings, list):
+        for value in settings:
+            yield from _targets(value)
+
+
+def _check_names(settings: object, place: str) -> None:
+    """Raise UserError for a setting that the target does not take: pydantic would not say which it takes."""
+    if not isinstance(settings, Mapping):
+        return
+    taken = _settings_of(str(settings["_target_"]), place)
+    for name in settings:
+        if not str(name).startswith("_") and taken and name not in taken:
+            raise UserError(f"{place}.{name}: no such setting{did_you_mean(str(name), taken)}")
+
+
+def _settings_of(target: str, place: str) -> tuple[str, ...]:
+    """Names that `target` takes, () when it takes any."""
+    try:
+        module, _, name = target.rpartition(".")
+        parameters = inspect.signature(getattr(import_module(module), name)).parameters.values()
+    except (ImportError, AttributeError, ValueError) as error:
+        raise UserError(f"{place}: cannot use _target_ {target!r}: {one_line(error)}") from error
+    if any(parameter.kind is parameter.VAR_KEYWORD for parameter in parameters):
+        return ()
+    return tuple(parameter.name for parameter in parameters)
+
+
+def _explain(error: InstantiationException, place: str) -> str:
+    cause: BaseException = error
+    while cause.__cause__ is not None:
+        cause = cause.__cause__
+        if isinstance(cause, ValidationError):
+            return describe_validation(cause, place)
+    if isinstance(cause, InstantiationException):
+        return f"{place}: {one_line(cause).partition(' full_key:')[0]}"
+    message = one_line(cause)
+    return message if message.startswith(place) else f"{place}: {message}"

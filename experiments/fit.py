@@ -1,0 +1,103 @@
+"""Task fit: a picture in, a few distinct trees out, with everything that was found written to the run's folder."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import cast
+
+from omegaconf import DictConfig
+
+from experiments.build import build
+from experiments.errors import UserError
+from experiments.read_tree import ReadTree, read_tree
+from experiments.run_folder import run_folder
+from experiments.run_log import RunLog
+from experiments.settings import read_settings
+from experiments.summary import rows, summary
+from experiments.sweep import parent_run
+from experiments.terminal import Progress, print_results
+from experiments.write_run import write_candidates, write_gallery, write_json, write_page
+from treefit.asset import AssetSettings
+from treefit.checkpoint import CheckpointError
+from treefit.evaluation import Evaluator
+from treefit.fit import Failure, Generation, Result, Stop, fit
+from treefit.mask import Mask
+from treefit.objective import View
+from treefit.plant import Generator
+from treefit.plant.characteristics import Characteristics
+from treefit.search import Strategy
+from treefit.similarity import Similarity
+from treefit.tracking import Tracker
+
+
+def run(cfg: DictConfig) -> None:
+    """Fit cfg.generator to cfg.image; SearchError when nothing could be scored."""
+    folder = run_folder()
+    tree = read_tree(cfg, folder)
+    tracker = cast(Tracker, build(cfg.tracking, "tracking"))
+    tracker.start(folder.name, _tags(cfg, tree), _params(cfg), parent_run())
+    status = "FAILED"
+    try:
+        _fit_and_write(cfg, tree, tracker, folder)
+        status = "FINISHED"
+    except KeyboardInterrupt:
+        status = "KILLED"
+        raise
+    finally:
+        tracker.artifacts(folder)
+        tracker.finish(status)
+
+
+def _fit_and_write(cfg: DictConfig, tree: ReadTree, tracker: Tracker, folder: Path) -> None:
+    generator = cast(Generator, build(cfg.generator, "generator"))
+    asset = cast(AssetSettings, build(cfg.asset, "asset"))
+    result = _fit(cfg, tree.extraction.mask, generator, tracker, folder)
+    found = result.candidates
+    meshes = write_candidates(folder, found, generator, asset)
+    write_gallery(folder, tree, found, f"{tree.name} by {generator.name}")
+    write_page(folder, tree, found, meshes)
+    write_json(folder / "summary.json", summary(result, generator, tree, cfg.seed, meshes))
+    best = found[0]
+    tracker.log({"silhouette_iou": best.silhouette_iou, "class_iou": best.class_iou,
+                 "vertices": best.plant.n_vertices}, result.evaluations)  # fmt: skip
+    print_results(rows(result, meshes), folder, tracker.where)
+
+
+def _fit(cfg: DictConfig, mask: Mask, generator: Generator, tracker: Tracker, folder: Path) -> Result:
+    settings = read_settings(cfg)
+    strategy = cast(Strategy, build(cfg.optimizer, "optimizer"))
+    log = RunLog(folder)
+    with Progress() as progress:
+
+        def on_generation(now: Generation, failures: list[Failure]) -> None:
+            progress.update(now.evaluations, strategy.evaluations, now.best, now.evaluations_per_second)
+            log.write(now, failures)
+            tracker.log(
+                {"best": now.best, "best_image": now.best_image, "mean": now.mean, "failures": now.failures,
+                 "evaluations_per_second": now.evaluations_per_second}, now.evaluations,
+            )  # fmt: skip
+
+        try:
+            return fit(
+                mask, generator, similarity=cast(Similarity[object], build(cfg.similarity, "similarity")),
+                characteristics=cast(Characteristics, build(cfg.characteristics, "characteristics")),
+                view=cast(View, build(cfg.view, "view")), optimizer=strategy,
+                evaluator=cast(Evaluator, build(cfg.evaluator, "evaluator")), seed=settings.seed,
+                candidates=settings.candidates.count, min_distance=settings.candidates.min_distance,
+                other_seeds=settings.other_seeds, stop=Stop(settings.stop.score, settings.stop.seconds),
+                checkpoint=folder / "checkpoint.npz", on_generation=on_generation,
+            )  # fmt: skip
+        except CheckpointError as error:
+            raise UserError(f"resume: {error}") from error
+
+
+def _tags(cfg: DictConfig, tree: ReadTree) -> dict[str, str]:
+    kinds = {group: str(cfg[group].get("_target_", group)).rpartition(".")[2] for group in ("generator", "optimizer")}
+    return {**kinds, "image": tree.name}
+
+
+def _params(cfg: DictConfig) -> dict[str, str]:
+    """The few settings that runs are compared by."""
+    chosen = {"seed": cfg.seed, "evaluations": cfg.optimizer.get("evaluations"),
+              "resolution": cfg.view.get("resolution"), "vertices": cfg.characteristics.get("vertices")}  # fmt: skip
+    return {name: str(value) for name, value in chosen.items()}

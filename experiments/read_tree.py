@@ -1,0 +1,44 @@
+"""The tree of a run: its picture, and the mask that the extractor of the configuration finds in it."""
+
+from __future__ import annotations
+
+import logging
+from dataclasses import dataclass
+from pathlib import Path
+from typing import cast
+
+from omegaconf import DictConfig
+from PIL import Image
+
+from experiments.build import build
+from treefit.image import Extraction, Picture, overlay, read_picture, write_mask
+from treefit.image.extraction import Extractor
+
+_log = logging.getLogger(__name__)
+
+
+@dataclass(frozen=True, eq=False)
+class ReadTree:
+    """A picture by name, and the mask found in it."""
+
+    name: str
+    picture: Picture
+    extraction: Extraction
+
+    @property
+    def warnings(self) -> list[str]:
+        """What the user should know about the picture and the mask."""
+        return [*self.picture.notes, *self.extraction.warnings]
+
+
+def read_tree(cfg: DictConfig, folder: Path) -> ReadTree:
+    """Read cfg.image, find the tree, write mask.png and mask_overlay.png to `folder`, say every warning."""
+    picture = read_picture(cfg.image)
+    extraction = cast(Extractor, build(cfg.mask, "mask"))(picture)
+    write_mask(extraction.mask, folder / "mask.png")
+    Image.fromarray(overlay(picture, extraction.mask)).save(folder / "mask_overlay.png")
+    tree = ReadTree(Path(cfg.image).name, picture, extraction)
+    for warning in tree.warnings:
+        _log.warning(warning)
+    _log.info("mask=%s: %s", extraction.method, extraction.why)
+    return tree

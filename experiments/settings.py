@@ -1,0 +1,91 @@
+"""Settings: the values of conf/config.yaml that are no group, with their types and ranges."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+from omegaconf import DictConfig, OmegaConf
+from pydantic import BeforeValidator, Field, TypeAdapter, ValidationError, field_validator
+from pydantic.dataclasses import dataclass
+
+from experiments.errors import UserError, describe_validation, did_you_mean
+from experiments.pictures import examples
+
+GROUPS = (
+    "generator",
+    "mask",
+    "similarity",
+    "characteristics",
+    "optimizer",
+    "view",
+    "evaluator",
+    "asset",
+    "tracking",
+)
+TASKS = {
+    "fit": GROUPS,
+    "mask": ("mask",),
+    "grow": ("generator", "asset"),
+    "benchmark": ("generator", "similarity", "view"),
+}
+"""Groups that a task builds, by task."""
+
+NEED_IMAGE = ("fit", "mask")
+
+Share = Annotated[float, Field(ge=0, le=1)]
+Count = Annotated[int, Field(ge=0)]
+Name = Annotated[str, BeforeValidator(lambda value: str(value) if isinstance(value, int | float) else value)]
+
+
+@dataclass(frozen=True)
+class Candidates:
+    """How many trees a run ends with, and how different they are."""
+
+    count: Annotated[int, Field(ge=1, le=100)]
+    min_distance: Share
+
+
+@dataclass(frozen=True)
+class Stop:
+    """When the search ends before its budget is used up."""
+
+    score: Share | None
+    seconds: Annotated[float, Field(gt=0)] | None
+
+
+@dataclass(frozen=True)
+class Settings:
+    """Values of the run itself; files are names as the user gave them."""
+
+    task: str
+    image: Name | None
+    seed: Annotated[int, Field(ge=0, lt=2**63)]
+    debug: bool
+    candidates: Candidates
+    other_seeds: Annotated[int, Field(ge=0, le=1000)]
+    stop: Stop
+    resume: Name | None
+    preset: Name | None
+    values: dict[str, bool | int | float | str]
+
+    @field_validator("task")
+    @classmethod
+    def _known(cls, task: str) -> str:
+        if task not in TASKS:
+            raise ValueError(f"no task {task!r}{did_you_mean(task, TASKS)}")
+        return task
+
+
+def read_settings(cfg: DictConfig) -> Settings:
+    """Return the Settings in `cfg`; UserError for a wrong type or range, and when no picture is given."""
+    whole = OmegaConf.to_container(cfg, resolve=True)
+    assert isinstance(whole, dict)
+    values = {name: whole[name] for name in Settings.__dataclass_fields__ if name in whole}
+    try:
+        settings = TypeAdapter(Settings).validate_python(values)
+    except ValidationError as error:
+        raise UserError(describe_validation(error, "")) from error
+    if settings.task in NEED_IMAGE and settings.image is None and settings.resume is None:
+        shown = ", ".join(examples())
+        raise UserError(f"image: which picture? e.g. image=pine.png (examples: {shown}) or the path of yours")
+    return settings

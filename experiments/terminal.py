@@ -1,0 +1,118 @@
+"""What a run shows in the terminal: progress while it searches, a table and the next commands at its end."""
+
+from __future__ import annotations
+
+import logging
+import shlex
+import time
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from types import TracebackType
+
+from rich.console import Console
+from rich.progress import BarColumn, MofNCompleteColumn, TextColumn
+from rich.progress import Progress as Bar
+from rich.table import Table
+
+SECONDS_BETWEEN_LINES = 10.0
+"""How often a line is printed where no bar can be drawn."""
+
+
+class Progress:
+    """Progress of a search: a live bar on a terminal, now and then a line elsewhere. Use in `with`."""
+
+    def __init__(self, console: Console | None = None) -> None:
+        self.console = console or Console(stderr=True)
+        self._bar = Bar(
+            TextColumn("searching"),
+            BarColumn(),
+            MofNCompleteColumn(),
+            TextColumn("best [bold]{task.fields[best]:.4f}[/]  {task.fields[rate]:,.0f}/s  {task.fields[left]}"),
+            console=self.console,
+            transient=True,
+            disable=not self.console.is_terminal,
+        )
+        self._task = self._bar.add_task("search", total=None, best=0.0, rate=0.0, left="")
+        self._next_line = 0.0
+
+    def __enter__(self) -> Progress:
+        self._bar.start()
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self._bar.stop()
+
+    def update(self, evaluations: int, total: int, best: float, rate: float) -> None:
+        """Show `evaluations` of `total` done, the `best` score so far and the `rate` per second."""
+        left = time_left(total - evaluations, rate)
+        self._bar.update(self._task, completed=evaluations, total=total, best=best, rate=rate, left=left)
+        now = time.monotonic()
+        if not self.console.is_terminal and (now >= self._next_line or evaluations >= total):
+            self._next_line = now + SECONDS_BETWEEN_LINES
+            self.console.print(
+                f"{evaluations:,} of {total:,} evaluations, best {best:.4f}, {rate:,.0f} per second, {left}",
+                highlight=False,
+                soft_wrap=True,
+            )
+
+
+def time_left(evaluations: int, rate: float) -> str:
+    """Words for the time that `evaluations` take at `rate` per second: "1 min 5 s left"."""
+    if evaluations <= 0:
+        return "done"
+    if rate <= 0:
+        return "time left unknown"
+    minutes, seconds = divmod(round(evaluations / rate), 60)
+    return f"{minutes} min {seconds} s left" if minutes else f"{seconds} s left"
+
+
+def print_results(console_rows: Sequence[Mapping[str, float | int | str]], folder: Path, where: str) -> None:
+    """Print the candidates (one row each, columns by key, best first) and the two commands to go on with.
+
+    `folder` is the run's, with its viewer.html; `where` says how to browse the run, "" when it is not kept.
+    """
+    console = Console()
+    if console_rows:
+        console.print(_table(console_rows))
+    _next_commands(console, f"results  {folder}", folder / "viewer.html", where)
+
+
+def print_sweep(count: int, failed: int, folder: Path, where: str) -> None:
+    """Print how many runs of a sweep ended well, and where its table is."""
+    _next_commands(
+        Console(),
+        f"sweep    {count - failed} of {count} runs done, {failed} failed",
+        folder / "sweep.html",
+        where,
+    )
+
+
+class OneLine(logging.Formatter):
+    """Log records on one line each: what happened; where in the code is for run.log."""
+
+    def format(self, record: logging.LogRecord) -> str:
+        """Return "warning: text"."""
+        return f"{record.levelname.lower()}: {' '.join(record.getMessage().split())}"
+
+
+def _next_commands(console: Console, head: str, page: Path, where: str) -> None:
+    lines = [head, f"look     python -m webbrowser {shlex.quote(page.resolve().as_uri())}"]
+    for line in [*lines, f"browse   {where}"] if where else lines:
+        console.print(line, highlight=False, markup=False, soft_wrap=True)
+
+
+def _table(rows: Sequence[Mapping[str, float | int | str]]) -> Table:
+    table = Table(box=None, pad_edge=False, header_style="bold")
+    for name in rows[0]:
+        table.add_column(name.replace("_", " "), justify="right")
+    for row in rows:
+        table.add_row(*(_shown(value) for value in row.values()))
+    return table
+
+
+def _shown(value: float | int | str) -> str:
+    if isinstance(value, float):
+        return f"{value:.3f}"
+    return f"{value:,}" if isinstance(value, int) else value

@@ -1,0 +1,57 @@
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from tests.view.zbuffer import zbuffer_mask
+from treefit.plant import Plant
+from treefit.view import BitMask, Frame, OrthographicView
+
+FRAME = Frame(128, 4)
+
+
+def test_the_silhouette_is_that_of_the_slow_view_to_the_pixel_edge(plants: list[Plant]) -> None:
+    for plant in plants:
+        fast, slow = OrthographicView()(plant, FRAME).unpack() > 0, zbuffer_mask(plant, FRAME) > 0
+        assert (fast != slow).sum() <= 0.005 * slow.sum() + 2  # centres that rounding puts on the other side
+
+
+def test_class_counts_are_those_of_the_slow_view(plants: list[Plant]) -> None:
+    fast = np.array([np.bincount(OrthographicView()(p, FRAME).unpack().ravel(), minlength=3) for p in plants])
+    slow = np.array([np.bincount(zbuffer_mask(p, FRAME).ravel(), minlength=3) for p in plants])
+    share = fast.sum(axis=0) / slow.sum(axis=0)
+    assert np.abs(share - 1).max() < 0.02
+
+
+def test_half_a_turn_mirrors_the_silhouette(plants: list[Plant]) -> None:
+    for plant in plants[:4]:
+        front = OrthographicView()(plant, FRAME).unpack() > 0
+        back = OrthographicView(azimuth=180.0)(plant, FRAME).unpack() > 0
+        assert (front != back[:, ::-1]).sum() <= 0.01 * front.sum() + 4
+
+
+def test_the_plant_fills_the_height_and_stands_in_the_middle(plants: list[Plant]) -> None:
+    for plant in plants:
+        mask = OrthographicView()(plant, FRAME).unpack()
+        assert mask[:4].any()
+        assert mask[-4:].any()  # a thin trunk may miss all the centres of a row
+        assert abs(np.nonzero(mask[-4:])[1].mean() + 0.5 - FRAME.width / 2) < 12
+
+
+def test_a_plant_wider_than_the_frame_is_clipped_at_its_edges(plants: list[Plant]) -> None:
+    wide = max(plants, key=lambda plant: float(np.abs(plant.position[:, 0]).max() / plant.position[:, 2].max()))
+    whole = OrthographicView()(wide, Frame(128, 8)).unpack()
+    part = OrthographicView()(wide, Frame(128, 1)).unpack()
+    assert (part == whole[:, 8 * 32 - 32 : 8 * 32 + 32]).all()
+
+
+def test_bit_rows_give_back_their_mask() -> None:
+    mask = np.random.default_rng(1).integers(0, 3, (20, 192)).astype(np.uint8)
+    assert (BitMask.pack(mask).unpack() == mask).all()
+    with pytest.raises(ValueError, match="multiple of 64"):
+        BitMask.pack(mask[:, :100])
+
+
+def test_a_resolution_out_of_range_is_refused() -> None:
+    with pytest.raises(ValueError, match="greater than or equal to 16"):
+        OrthographicView(resolution=3)

@@ -1,0 +1,153 @@
+"""Mesh: branches as tapered tubes and leaves as folded cards, in the plant's own frame (z up, metres)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from treefit.asset.leaf_outline import Shape, leaf_card
+from treefit.asset.stems import Stems, stems_of
+from treefit.plant import Plant
+
+Floats = NDArray[np.float32]
+Ints = NDArray[np.int32]
+
+
+@dataclass(frozen=True, eq=False)
+class Mesh:
+    """Triangles whose corners run counter-clockwise seen from outside."""
+
+    vertices: Floats  # (n, 3) m
+    faces: Ints  # (m, 3)
+    normals: Floats  # (n, 3) unit
+    uv: Floats  # (n, 2); tubes: metres around and along, leaves: the unit square, tip on top
+
+
+def branch_meshes(plant: Plant, sides: int = 8) -> dict[str, Mesh]:
+    """Return the wood by name: 'trunk' (level 0) and 'branches' (all others); a name without stems is left out.
+
+    Every stem is a closed tube of its own; `sides` is the count at the thickest one, thinner stems have fewer.
+    """
+    if sides < 3:
+        raise ValueError(f"mesh: sides must be 3 or more, got {sides}")
+    stems = stems_of(plant)
+    levels = {"trunk": stems.level == 0, "branches": stems.level > 0}
+    sides_of = _sides(stems, sides)
+    return {name: _tubes(stems, chosen, sides_of) for name, chosen in levels.items() if chosen.any()}
+
+
+def leaf_mesh(plant: Plant, shape: Shape = "broad", fold: float = 0.0) -> Mesh:
+    """Return the leaves as cards, each of area pi/4 * length * width, with halves raised by `fold` degrees."""
+    card = leaf_card(shape, fold)
+    k, corners = plant.n_leaves, len(card.place)
+    axis = np.asarray(plant.leaf_axis, dtype=np.float32)
+    normal = np.asarray(plant.leaf_normal, dtype=np.float32)
+    across = np.cross(normal, axis)
+    frame = np.stack([across, axis, normal], axis=1)  # (k, 3, 3), rows are the card's x, y, z
+    length, width = plant.leaf_size[:, :1], plant.leaf_size[:, 1:]
+    stretch = np.concatenate([width, length, width], axis=1)
+    vertices = np.matmul(card.place[None] * stretch[:, None], frame) + plant.leaf_position[:, None]
+    normals = np.matmul(np.broadcast_to(card.normal, (k, corners, 3)), frame)
+    faces = card.faces[None] + corners * np.arange(k, dtype=np.int32)[:, None, None]
+    return Mesh(
+        np.ascontiguousarray(vertices, dtype=np.float32).reshape(-1, 3),
+        faces.astype(np.int32).reshape(-1, 3),
+        _unit(normals.reshape(-1, 3)),
+        np.tile(card.uv, (k, 1)),
+    )
+
+
+def _sides(stems: Stems, sides: int) -> NDArray[np.int64]:
+    """Corners of the rings of each stem (s,), by the root of its thickness, at least 3."""
+    thickest = np.maximum.reduceat(stems.radius, stems.first[:-1])
+    wanted = np.round(sides * np.sqrt(thickest / thickest.max()))
+    return np.clip(wanted, min(4, sides), sides).astype(np.int64)
+
+
+def _tubes(stems: Stems, chosen: NDArray[np.bool_], sides_of: NDArray[np.int64]) -> Mesh:
+    """Closed tubes of the `chosen` (s,) stems: rings with a doubled seam, a flat foot and a pointed tip."""
+    low, high, sides = stems.first[:-1][chosen], stems.first[1:][chosen], sides_of[chosen]
+    ring = _ranges(low, high - low)
+    stem_of_ring = np.repeat(np.arange(len(low)), high - low)
+    ring_sides = sides[stem_of_ring]
+    ring_start = np.concatenate([[0], np.cumsum(ring_sides + 1)])
+    rim = _rim(stems, ring, ring_sides, _girth(stems, chosen)[stem_of_ring])
+    tips = _tips(stems, high - 1)
+    first_ring = np.concatenate([[0], np.cumsum(high - low)[:-1]])
+    last_ring = first_ring + (high - low) - 1
+    is_last = np.zeros(len(ring), dtype=bool)
+    is_last[last_ring] = True
+    walls = _walls(ring_start[:-1][~is_last], ring_sides[~is_last])
+    caps = _fans(ring_start[last_ring], sides, ring_start[-1] + np.arange(len(low)))
+    feet = _feet(ring_start[first_ring], sides)
+    vertices, normals, uv = (np.concatenate(pair) for pair in zip(rim, tips, strict=True))
+    faces = np.concatenate([walls, caps, feet])
+    return Mesh(
+        vertices.astype(np.float32), faces.astype(np.int32), _unit(normals), uv.astype(np.float32)
+    )  # fmt: skip
+
+
+Corners = tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]  # place, normal, uv
+
+
+def _rim(
+    stems: Stems, ring: NDArray[np.int64], sides: NDArray[np.int64], girth: NDArray[np.float64]
+) -> Corners:
+    """Corners of the rings, sides + 1 each: the last lies on the first with another u."""
+    at = np.repeat(ring, sides + 1)
+    turn = _ranges(np.zeros_like(sides), sides + 1) / np.repeat(sides, sides + 1)
+    angle = 2 * np.pi * np.where(turn == 1, 0.0, turn)  # both ends of the seam get the same bytes
+    tangent, side = stems.tangent[at], stems.side[at]
+    outward = np.cos(angle)[:, None] * side + np.sin(angle)[:, None] * np.cross(tangent, side)
+    place = stems.centre[at] + stems.radius[at, None] * outward
+    normal = outward + stems.narrowing[at, None] * tangent
+    return place, normal, np.column_stack([turn * np.repeat(girth, sides + 1), stems.along[at]])
+
+
+def _tips(stems: Stems, last: NDArray[np.int64]) -> Corners:
+    """One corner a stem, half a radius beyond its last ring."""
+    reach = 0.5 * stems.radius[last]
+    place = stems.centre[last] + reach[:, None] * stems.tangent[last]
+    return place, stems.tangent[last], np.column_stack([np.zeros(len(last)), stems.along[last] + reach])
+
+
+def _girth(stems: Stems, chosen: NDArray[np.bool_]) -> NDArray[np.float64]:
+    """Mean circumference of each chosen stem in m: one value a stem keeps the grain of a bark picture straight."""
+    counts = np.diff(stems.first)
+    mean = np.add.reduceat(stems.radius, stems.first[:-1]) / counts
+    girth: NDArray[np.float64] = 2 * np.pi * mean[chosen]
+    return girth
+
+
+def _walls(start: NDArray[np.int64], sides: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Two triangles a side between each ring and the next one, which follows it in memory."""
+    a = np.repeat(start, sides) + _ranges(np.zeros_like(sides), sides)
+    b = a + np.repeat(sides + 1, sides)
+    return np.stack([a, a + 1, b, a + 1, b + 1, b], axis=1).reshape(-1, 3)
+
+
+def _fans(start: NDArray[np.int64], sides: NDArray[np.int64], apex: NDArray[np.int64]) -> NDArray[np.int64]:
+    """One triangle a side from the last rings to the tips."""
+    a = np.repeat(start, sides) + _ranges(np.zeros_like(sides), sides)
+    return np.stack([a, a + 1, np.repeat(apex, sides)], axis=1)
+
+
+def _feet(start: NDArray[np.int64], sides: NDArray[np.int64]) -> NDArray[np.int64]:
+    """sides - 2 triangles that close each first ring, seen from below."""
+    a = np.repeat(start, sides - 2)
+    j = _ranges(np.ones_like(sides), sides - 2)
+    return np.stack([a, a + j + 1, a + j], axis=1)
+
+
+def _ranges(start: NDArray[np.int64], count: NDArray[np.int64]) -> NDArray[np.int64]:
+    """start[0], start[0] + 1, ... (count[0] of them), then those of the next."""
+    skipped = np.cumsum(count) - count
+    steps: NDArray[np.int64] = np.arange(count.sum()) - np.repeat(skipped - start, count)
+    return steps
+
+
+def _unit(vectors: NDArray[np.floating]) -> Floats:
+    length = np.linalg.norm(vectors, axis=1, keepdims=True)
+    return np.asarray(vectors / np.maximum(length, 1e-12), dtype=np.float32)

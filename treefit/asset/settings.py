@@ -1,0 +1,41 @@
+"""AssetSettings: what a user may choose about the files and pictures of a plant."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Annotated
+
+from PIL import ImageColor
+from pydantic import BeforeValidator, ConfigDict, Field
+from pydantic.dataclasses import dataclass
+
+from treefit.asset.leaf_outline import Shape
+
+Colour = tuple[int, int, int]
+
+
+def parse_colour(value: str | Sequence[int]) -> Colour:
+    """Return (r, g, b) in 0..255 (sRGB) from '#rrggbb', a CSS colour name or three whole numbers."""
+    if isinstance(value, str):
+        try:
+            return ImageColor.getrgb(value)[:3]
+        except ValueError:
+            raise ValueError(f"colour must be like '#6b4f3a' or a CSS colour name, got {value!r}") from None
+    if not isinstance(value, Sequence):
+        raise ValueError(f"colour must be like '#6b4f3a' or [107, 79, 58], got {value!r}")
+    numbers = tuple(value)
+    if len(numbers) != 3 or not all(type(n) is int and 0 <= n <= 255 for n in numbers):
+        raise ValueError(f"colour must have three whole numbers in 0..255, got {list(numbers)}")
+    return numbers[0], numbers[1], numbers[2]
+
+
+@dataclass(frozen=True, config=ConfigDict(extra="forbid"))
+class AssetSettings:
+    """Shape and colours of an exported plant and the size of its picture; colours are sRGB."""
+
+    sides: Annotated[int, Field(ge=3, le=32)] = 7  # corners of the thickest stem
+    leaf_outline: Shape = "broad"
+    leaf_fold: Annotated[float, Field(ge=0, le=60)] = 18.0  # degrees each half is raised
+    bark: Annotated[Colour, BeforeValidator(parse_colour)] = (112, 88, 68)
+    leaf: Annotated[Colour, BeforeValidator(parse_colour)] = (98, 140, 62)
+    picture_size: Annotated[int, Field(ge=16, le=4096)] = 512  # height in pixels

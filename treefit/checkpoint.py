@@ -1,0 +1,46 @@
+"""Checkpoint: plain arrays and one JSON text in an npz, written beside and renamed, so that none is ever half."""
+
+from __future__ import annotations
+
+import json
+import os
+import zipfile
+from collections.abc import Mapping
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from treefit.search.optimizer import State
+
+Meta = dict[str, object]
+
+
+class CheckpointError(ValueError):
+    """A checkpoint that is damaged or belongs to another run; the message is one line."""
+
+
+def write_checkpoint(path: Path, arrays: State, meta: Mapping[str, object]) -> None:
+    """Write `arrays` and `meta` (JSON values) to `path`; the old file stays whole until the new one is."""
+    text = np.frombuffer(json.dumps(meta, allow_nan=False).encode(), np.uint8)
+    unfinished = path.with_name(path.name + ".tmp")
+    with unfinished.open("wb") as file:
+        np.savez(file, allow_pickle=False, meta=text, **{f"state_{name}": array for name, array in arrays.items()})
+        file.flush()
+        os.fsync(file.fileno())
+    unfinished.replace(path)
+
+
+def read_checkpoint(path: Path) -> tuple[dict[str, NDArray[np.generic]], Meta]:
+    """Arrays and meta of `path`; CheckpointError when it is damaged, FileNotFoundError when there is none."""
+    try:
+        with np.load(path, allow_pickle=False) as file:
+            arrays = {name.removeprefix("state_"): file[name] for name in file.files if name.startswith("state_")}
+            meta = json.loads(bytes(file["meta"]).decode())
+    except FileNotFoundError:
+        raise
+    except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile) as error:
+        raise CheckpointError(
+            f"{path}: damaged checkpoint ({type(error).__name__}); delete it to start anew"
+        ) from error
+    return arrays, meta

@@ -1,0 +1,224 @@
+"""Fit: the loop of ask, evaluate and tell, from a mask to a few distinct candidates (sec. 3)."""
+
+from __future__ import annotations
+
+import hashlib
+import time
+from collections.abc import Callable
+from dataclasses import asdict, dataclass, field
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from treefit.candidates import Candidate, choose, judge
+from treefit.checkpoint import CheckpointError, read_checkpoint, write_checkpoint
+from treefit.evaluation import Evaluator
+from treefit.image import AutoMask, Extractor, read_picture
+from treefit.mask import Mask, check_mask
+from treefit.objective import Objective, Score, View
+from treefit.plant import Budget, Generator, Values
+from treefit.plant.characteristics import Characteristics
+from treefit.search import Optimizer, Strategy, TreeGA
+from treefit.similarity import PaperSimilarity, Similarity
+from treefit.view import BitMask, OrthographicView, frame_for, sample
+
+
+@dataclass(frozen=True)
+class Generation:
+    """What is known after a batch of evaluations; `seconds` and the rate count all sessions of a resumed run."""
+
+    number: int
+    stage: str
+    evaluations: int
+    best: float
+    best_image: float
+    mean: float
+    failures: int
+    seconds: float
+    evaluations_per_second: float
+
+
+@dataclass(frozen=True)
+class Failure:
+    """A candidate that could not be scored."""
+
+    reason: str
+    values: Values
+    seed: int
+
+
+@dataclass(frozen=True)
+class Stop:
+    """When to end before the budget is spent: at a score, or after seconds; None for never."""
+
+    score: float | None = None
+    seconds: float | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Result:
+    """Candidates, best first, and how the search went."""
+
+    candidates: list[Candidate]
+    history: list[Generation]
+    failures: dict[str, int]
+    target: Mask
+
+    @property
+    def evaluations(self) -> int:
+        """Count of evaluations."""
+        return self.history[-1].evaluations
+
+    @property
+    def seconds(self) -> float:
+        """Seconds of the search itself."""
+        return self.history[-1].seconds
+
+
+class SearchError(RuntimeError):
+    """Nothing could be scored at all; the message says why."""
+
+
+@dataclass
+class Progress:
+    """What a search has come to: everything that a checkpoint keeps besides the optimiser's own state."""
+
+    history: list[Generation] = field(default_factory=list)
+    failures: dict[str, int] = field(default_factory=dict)
+    best: Score = field(default_factory=lambda: Score(0.0))
+
+
+def fit(
+    picture: Mask | str | Path,
+    generator: Generator,
+    *,
+    extractor: Extractor | None = None,
+    similarity: Similarity[Any] | None = None,
+    characteristics: Characteristics | None = None,
+    view: View | None = None,
+    optimizer: Strategy | None = None,
+    evaluator: Evaluator | None = None,
+    seed: int = 0,
+    budget: Budget | None = None,
+    candidates: int = 3,
+    min_distance: float = 0.1,
+    other_seeds: int = 5,
+    stop: Stop | None = None,
+    checkpoint: Path | None = None,
+    on_generation: Callable[[Generation, list[Failure]], None] | None = None,
+) -> Result:
+    """Find parameters of `generator` whose plants look like `picture`, a mask (h, w) or the path of an image file.
+
+    Whatever is left out takes the defaults of the configuration. `budget` is, when left out, 4 times the wanted
+    vertices. With `checkpoint` the search goes on from that file if it exists, and keeps it up to date; the result is
+    the same as that of a search that was never interrupted. Raises ValueError for a picture without a tree,
+    CheckpointError for a checkpoint of another search, SearchError when no candidate at all could be scored.
+    """
+    if isinstance(picture, np.ndarray):
+        mask = check_mask(picture)
+    else:
+        mask = (extractor or AutoMask())(read_picture(picture)).mask
+    objective = aim(mask, generator, similarity or PaperSimilarity(), characteristics or Characteristics(),
+                    view or OrthographicView(), seed, budget)  # fmt: skip
+    strategy = optimizer or TreeGA()
+    search = strategy.start(len(objective.space), seed)
+    progress = _search(objective, search, evaluator or Evaluator(), stop or Stop(), checkpoint, on_generation,
+                       _fingerprint(objective, mask, strategy))  # fmt: skip
+    genomes, _ = search.best(16 * candidates)
+    chosen = choose(objective, list(genomes), candidates, min_distance)
+    found = [judge(objective, genome, mask, other_seeds) for genome in chosen]
+    return Result(found, progress.history, progress.failures, mask)
+
+
+def aim(
+    mask: Mask, generator: Generator, similarity: Similarity[Any], characteristics: Characteristics, view: View,
+    seed: int, budget: Budget | None = None,
+) -> Objective:  # fmt: skip
+    """Objective of a fit to `mask`; the size parameter is searched only when a wished characteristic sees it."""
+    frame = frame_for(mask, view.resolution)
+    target = similarity.describe(BitMask.pack(sample(mask, frame)))
+    space = generator.space
+    if generator.size_parameter is not None and characteristics.sees_size:
+        space = space.release(generator.size_parameter)
+    if budget is None:
+        wanted = characteristics.vertices
+        budget = Budget() if wanted is None else Budget(max(4 * wanted, 100), max(8 * wanted, 200))
+    return Objective(generator, space, view, frame, similarity, target, characteristics, seed, budget)
+
+
+def _search(
+    objective: Objective, search: Optimizer, evaluator: Evaluator, stop: Stop, checkpoint: Path | None,
+    on_generation: Callable[[Generation, list[Failure]], None] | None, fingerprint: str,
+) -> Progress:  # fmt: skip
+    progress = _restore(search, checkpoint, fingerprint)
+    before = progress.history[-1].seconds if progress.history else 0.0
+    started = time.perf_counter()
+    while not search.done and not _enough(progress, stop):
+        stage, genomes = search.stage, search.ask()
+        scores = evaluator(objective, genomes)
+        search.tell(np.array([score.total for score in scores]))
+        failures = _count(progress, objective, genomes, scores)
+        _note(progress, stage, scores, before + time.perf_counter() - started)
+        if all(generation.best == 0.0 for generation in progress.history) and len(progress.history) >= 3:
+            raise SearchError(
+                f"no candidate could be scored; the first failed with: {next(iter(progress.failures), '-')}"
+            )
+        if checkpoint is not None:
+            meta = {"fingerprint": fingerprint, "progress": asdict(progress)}
+            write_checkpoint(checkpoint, search.state(), meta)
+        if on_generation is not None:
+            on_generation(progress.history[-1], failures)
+    return progress
+
+
+def _restore(search: Optimizer, checkpoint: Path | None, fingerprint: str) -> Progress:
+    if checkpoint is None or not checkpoint.exists():
+        return Progress()
+    arrays, meta = read_checkpoint(checkpoint)
+    if meta.get("fingerprint") != fingerprint:
+        raise CheckpointError(f"{checkpoint}: belongs to a search with another picture, generator, seed or settings")
+    search.restore(arrays)
+    kept: Any = meta["progress"]
+    return Progress([Generation(**line) for line in kept["history"]], kept["failures"], Score(**kept["best"]))
+
+
+def _enough(progress: Progress, stop: Stop) -> bool:
+    if not progress.history:
+        return False
+    now = progress.history[-1]
+    return (stop.score is not None and now.best >= stop.score) or (
+        stop.seconds is not None and now.seconds >= stop.seconds
+    )
+
+
+def _count(
+    progress: Progress, objective: Objective, genomes: np.ndarray[Any, Any], scores: list[Score]
+) -> list[Failure]:
+    failures = []
+    for genome, score in zip(genomes, scores, strict=True):
+        if score.failure is not None:
+            failures.append(Failure(score.failure, objective.space.decode(genome), objective.seed))
+            kind = score.failure.partition(":")[0]
+            progress.failures[kind] = progress.failures.get(kind, 0) + 1
+        if score.total > progress.best.total:
+            progress.best = score
+    return failures
+
+
+def _note(progress: Progress, stage: str, scores: list[Score], seconds: float) -> None:
+    done = (progress.history[-1].evaluations if progress.history else 0) + len(scores)
+    best, mean = progress.best, float(np.mean([score.total for score in scores]))
+    progress.history.append(
+        Generation(len(progress.history), stage, done, best.total, best.image, mean, sum(progress.failures.values()),
+                   seconds, done / max(seconds, 1e-9))
+    )  # fmt: skip
+
+
+def _fingerprint(objective: Objective, mask: Mask, strategy: Strategy) -> str:
+    """Hash of everything that the course of the search depends on."""
+    settings = (
+        objective.generator.name, objective.generator.version, objective.space, objective.view, objective.frame,
+        objective.similarity, objective.characteristics, objective.seed, objective.budget, strategy, mask.shape,
+    )  # fmt: skip
+    return hashlib.sha256(repr(settings).encode() + mask.tobytes()).hexdigest()

@@ -1,0 +1,122 @@
+"""Reading pictures and mask files: whatever Pillow can decode becomes a Picture or one clear line of error."""
+
+from __future__ import annotations
+
+import warnings
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image, ImageOps
+
+from treefit.image.picture import Picture
+from treefit.mask import PALETTE, Mask, check_mask
+
+PIXEL_LIMIT = 50_000_000
+SIXTEEN_BIT_MODES = ("I", "I;16", "I;16B", "I;16L", "I;16N", "F")
+INDEX_MODES = ("P", "L", "1")
+
+
+class PictureError(ValueError):
+    """The picture cannot be used; the message is one line saying why and what to do instead."""
+
+
+def read_picture(path: Path | str) -> Picture:
+    """Picture at `path`, told by its content, upright, 8 bits a channel, composited on white."""
+    path = Path(path)
+    image = _open(path)
+    try:
+        notes = _notes(image)
+        image = _eight_bits(ImageOps.exif_transpose(image))
+        rgba = np.asarray(image.convert("RGBA"))
+    except Exception as error:  # Pillow's decoders raise nearly any exception on a damaged file
+        raise PictureError(f"{path}: the picture is damaged or cut off ({_one_line(error)}); save it again") from error
+    alpha = rgba[..., 3]
+    rgb = _on_white(rgba)
+    return Picture(rgb, None if (alpha == 255).all() else np.ascontiguousarray(alpha), notes, path)
+
+
+def read_mask_file(path: Path | str) -> Mask:
+    """Mask from an image file whose pixel values are 0 background, 1 branch, 2 foliage."""
+    path = Path(path)
+    image = _open(path)
+    if image.mode not in INDEX_MODES:
+        raise PictureError(
+            f"{path}: a mask file needs a palette or one grey channel with pixel values 0 background, 1 branch, "
+            f"2 foliage; this file has mode {image.mode}"
+        )
+    try:
+        values = np.asarray(image).astype(np.uint8)
+    except Exception as error:  # as in read_picture
+        raise PictureError(f"{path}: the mask file is damaged or cut off ({_one_line(error)})") from error
+    try:
+        return check_mask(values)
+    except ValueError as error:
+        raise PictureError(f"{path}: {error}") from None
+
+
+def write_mask(mask: Mask, path: Path | str) -> None:
+    """Write `mask` as a palette PNG with pixel values 0, 1, 2, shown in the PALETTE colours."""
+    image = Image.fromarray(check_mask(mask), mode="P")
+    image.putpalette([channel for colour in PALETTE for channel in colour])
+    image.save(Path(path), format="PNG", optimize=True)
+
+
+def _open(path: Path) -> Image.Image:
+    """Image with only its header read; PictureError when it must not or cannot be decoded."""
+    if path.is_dir():
+        raise PictureError(f"{path}: is a folder, not a picture")
+    if not path.is_file():
+        raise PictureError(f"{path}: no such file")
+    if path.stat().st_size == 0:
+        raise PictureError(f"{path}: the file is empty")
+    try:
+        with warnings.catch_warnings():
+            # Pillow only warns above 89 megapixels; the limit below refuses earlier
+            warnings.simplefilter("ignore", Image.DecompressionBombWarning)
+            image = Image.open(path)
+    except Image.DecompressionBombError:
+        raise PictureError(_too_large(path, "far more")) from None
+    except PermissionError:
+        raise PictureError(f"{path}: no permission to read the file") from None
+    except Exception as error:  # as in read_picture
+        raise PictureError(f"{path}: not a picture that can be read; give a PNG, JPEG or WebP file") from error
+    if image.width * image.height > PIXEL_LIMIT:
+        raise PictureError(_too_large(path, f"{image.width} x {image.height} = {_millions(image)}"))
+    if image.format == "EPS":  # decoding would start a foreign program
+        raise PictureError(f"{path}: EPS is not read; save the picture as PNG")
+    return image
+
+
+def _too_large(path: Path, found: str) -> str:
+    return f"{path}: {found} megapixels, the limit is {PIXEL_LIMIT // 1_000_000}; make the picture smaller"
+
+
+def _millions(image: Image.Image) -> str:
+    return f"{image.width * image.height / 1e6:.0f}"
+
+
+def _notes(image: Image.Image) -> tuple[str, ...]:
+    frames = int(getattr(image, "n_frames", 1))
+    # phones store a preview or a depth map as second picture of an MPO: nothing to tell
+    return (f"animated: first of {frames} frames",) if frames > 1 and image.format != "MPO" else ()
+
+
+def _eight_bits(image: Image.Image) -> Image.Image:
+    """`image` with 8 bits a channel: Pillow clips grey values over 255 instead of scaling them."""
+    if image.mode not in SIXTEEN_BIT_MODES:
+        return image
+    values = np.nan_to_num(np.asarray(image, dtype=np.float64))
+    # integer grey is 16 bits deep unless it says otherwise; floating point is 0..1 when it fits
+    top = max(1.0 if image.mode == "F" else 65535.0, float(values.max()))
+    return Image.fromarray(np.clip(np.round(values * (255.0 / top)), 0, 255).astype(np.uint8))
+
+
+def _on_white(rgba: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    """(h, w, 3) uint8: colours under alpha 0 are leftovers and must not be seen."""
+    image = Image.fromarray(rgba)
+    return np.asarray(Image.alpha_composite(Image.new("RGBA", image.size, "white"), image).convert("RGB"))
+
+
+def _one_line(error: Exception) -> str:
+    return str(error).splitlines()[0] if str(error) else type(error).__name__

@@ -1,0 +1,20 @@
+"""Masks at another size: classes are never mixed, so the nearest pixel is taken."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from treefit.mask import Mask
+
+
+def resize_mask(mask: Mask, shape: tuple[int, int]) -> Mask:
+    """Mask of `shape` (h, w), each pixel from the nearest of `mask`."""
+    if mask.shape == shape:
+        return mask
+    rows, columns = (_nearest(old, new) for old, new in zip(mask.shape, shape, strict=True))
+    return np.ascontiguousarray(mask[np.ix_(rows, columns)])
+
+
+def _nearest(old: int, new: int) -> np.ndarray[tuple[int], np.dtype[np.intp]]:
+    """(new,) index into `old` pixels of the pixel under each new pixel's centre."""
+    return ((np.arange(new) + 0.5) * old / new).astype(np.intp)

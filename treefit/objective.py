@@ -1,0 +1,83 @@
+"""Objective: one genome becomes one score (sec. 4); small, picklable, and it never raises for a bad plant."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any, Protocol
+
+import numpy as np
+
+from treefit.plant import Budget, Generator, Genome, ParameterSpace, Plant, check_plant
+from treefit.plant.characteristics import Characteristics
+from treefit.similarity import Similarity
+from treefit.view.frame import BitMask, Frame
+
+
+class View(Protocol):
+    """Turns a plant into a mask."""
+
+    @property
+    def resolution(self) -> int:
+        """Rows of pixels in the height of a plant."""
+
+    @property
+    def parallel(self) -> str:
+        """How several calls run at once: "threads" or "processes"."""
+
+    def __call__(self, plant: Plant, frame: Frame) -> BitMask:
+        """Bit rows of `plant` in `frame`."""
+
+
+@dataclass(frozen=True)
+class Score:
+    """Sim = ImSim times the characteristic multipliers; `failure` says why a candidate could not be scored."""
+
+    total: float
+    image: float = 0.0
+    multipliers: Mapping[str, float] = field(default_factory=dict)
+    failure: str | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Objective:
+    """The function on [0, 1]^n that the search maximises: genomes of `space` against the described `target`."""
+
+    generator: Generator
+    space: ParameterSpace
+    view: View
+    frame: Frame
+    similarity: Similarity[Any]
+    target: object
+    characteristics: Characteristics
+    seed: int
+    budget: Budget
+
+    def __call__(self, genome: Genome) -> Score:
+        """Score of `genome` (n,); 0 with the reason when the generator fails or its plant is not usable."""
+        try:
+            plant = self.grow(genome, self.seed)
+            check_plant(plant)
+            return self.score(plant)
+        except Exception as error:  # a foreign generator may raise anything, and must not end the run
+            return Score(0.0, failure=f"{type(error).__name__}: {error}".splitlines()[0][:500])
+
+    def on(self, seed: int) -> Objective:
+        """Return the same objective on another seed."""
+        return replace(self, seed=seed)
+
+    def grow(self, genome: Genome, seed: int) -> Plant:
+        """Plant of `genome` on `seed`."""
+        return self.generator(self.space.decode(genome), seed, self.budget)
+
+    def score(self, plant: Plant) -> Score:
+        """Score of a plant; 0 when the budget cut it."""
+        if plant.cut:
+            limits = f"{self.budget.vertices} vertices, {self.budget.leaves} leaves"
+            return Score(0.0, failure=f"over budget: more than {limits}")
+        multipliers = self.characteristics.multipliers(plant)
+        image = self.similarity.compare(self.target, self.similarity.describe(self.view(plant, self.frame)))
+        total = image * float(np.prod(list(multipliers.values())))
+        if not np.isfinite(total):
+            return Score(0.0, failure=f"the score is not a number: image {image}, multipliers {multipliers}")
+        return Score(total, image, multipliers)

@@ -1,0 +1,51 @@
+"""Moves of the elementary genetic algorithm (sec. 5), each on one population of genomes."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from treefit.search.optimizer import Genomes, Scores
+
+
+def fittest(genomes: Genomes, scores: Scores, count: int) -> tuple[Genomes, Scores]:
+    """Return the `count` best genomes and their scores, best first; ties keep their order."""
+    order = np.argsort(-scores, kind="stable")[:count]
+    return genomes[order], scores[order]
+
+
+def pick_parents(
+    scores: Scores, count: int, rng: np.random.Generator
+) -> np.ndarray[tuple[int, ...], np.dtype[np.int64]]:
+    """Pairs of indices (count, 2) of different parents, chosen in proportion to their score."""
+    fitness = np.maximum(scores, 0.0) + 1e-9
+    share = fitness / fitness.sum()
+    first = rng.choice(len(scores), size=count, p=share)
+    second = rng.choice(len(scores), size=count, p=share)
+    second = np.where(second == first, (second + 1 + rng.integers(len(scores) - 1, size=count)) % len(scores), second)
+    return np.stack([first, np.where(second == first, (first + 1) % len(scores), second)], axis=1)
+
+
+def one_dot_crossover(first: Genomes, second: Genomes, rng: np.random.Generator) -> Genomes:
+    """Children (m, n): the first parent's genes up to a random place, the second's from there on."""
+    m, n = first.shape
+    dot = rng.integers(1, max(n, 2), size=(m, 1))
+    return np.where(np.arange(n) < dot, first, second)
+
+
+def uniform_crossover(first: Genomes, second: Genomes, rng: np.random.Generator) -> Genomes:
+    """Children (m, n): every gene from either parent."""
+    return np.where(rng.random(first.shape) < 0.5, first, second)
+
+
+def mutate(genomes: Genomes, chance: float, share: float, step: float, rng: np.random.Generator) -> Genomes:
+    """Change n * `share` genes (at least one) of a genome with probability `chance`.
+
+    Half of the changed genes are drawn anew in [0, 1], the other half moved by a normal step of size `step`.
+    """
+    m, n = genomes.shape
+    count = max(1, round(n * share))
+    genes = np.argsort(rng.random((m, n)), axis=1) < count
+    mutated = genes & (rng.random((m, 1)) < chance)
+    moved = np.clip(genomes + step * rng.standard_normal((m, n)), 0.0, 1.0)
+    drawn = rng.random((m, n))
+    return np.where(mutated, np.where(rng.random((m, n)) < 0.5, drawn, moved), genomes)

@@ -1,0 +1,37 @@
+"""LocalStore: an mlflow database on this machine, at a place that does not depend on the current folder."""
+
+from __future__ import annotations
+
+import shlex
+from dataclasses import dataclass
+from pathlib import Path
+
+ADDRESS = "http://127.0.0.1:5000"
+"""Where `mlflow ui` answers."""
+
+
+@dataclass(frozen=True)
+class LocalStore:
+    """Folder (absolute) with mlflow.db, its lock and mlartifacts/."""
+
+    folder: Path
+
+    @property
+    def uri(self) -> str:
+        """Address of the database for mlflow."""
+        return f"sqlite:///{(self.folder / 'mlflow.db').as_posix()}"
+
+    @property
+    def artifacts(self) -> str:
+        """Address under which files are kept."""
+        return (self.folder / "mlartifacts").as_uri()
+
+    @property
+    def lock(self) -> Path:
+        """File that processes lock while the database is made: mlflow fails when several make it at once."""
+        return self.folder / "mlflow.db.lock"
+
+    @property
+    def command(self) -> str:
+        """Shell command that serves the pages of this store."""
+        return f"mlflow ui --workers 1 --backend-store-uri {shlex.quote(self.uri)}"

@@ -1,0 +1,86 @@
+"""MlflowTracker: keeps runs in mlflow from a thread of its own: the search neither waits nor fails for it."""
+
+from __future__ import annotations
+
+import logging
+import math
+import time
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from threading import Event
+
+from treefit.tracking.background import Background
+from treefit.tracking.local_store import ADDRESS, LocalStore
+from treefit.tracking.mlflow_run import MlflowRun
+
+_log = logging.getLogger(__name__)
+
+
+class MlflowTracker:
+    """Tracker in the mlflow store at `uri`; None: outputs/mlflow.db under the current folder.
+
+    Runs are grouped under the name `experiment`; `finish` waits `patience` seconds at the longest.
+    """
+
+    def __init__(self, uri: str | None = None, experiment: str = "treefit", patience: float = 60.0) -> None:
+        if not isinstance(experiment, str) or not experiment.strip():
+            raise ValueError(f"tracking.experiment: must be a name, got {experiment!r}")
+        if isinstance(patience, bool) or not isinstance(patience, int | float) or not 0 < patience < math.inf:
+            raise ValueError(f"tracking.patience: must be a number of seconds greater than 0, got {patience!r}")
+        if uri is not None and "://" not in str(uri):
+            raise ValueError(f"tracking.uri: must be like http://host:5000 or sqlite:////folder/mlflow.db, got {uri!r}")
+        self._uri = uri
+        self._store = LocalStore(Path("outputs").resolve())
+        self._patience = patience
+        self._run = MlflowRun(uri, self._store, experiment)
+        self._started = Event()
+        self._background: Background | None = None
+
+    def start(self, name: str, tags: Mapping[str, str], params: Mapping[str, str], parent: str | None) -> None:
+        """Begin a run; returns at once."""
+        self._background = Background("tracking", self._give_up)
+        self._background.do(lambda: self._run.start(name, dict(tags), dict(params), parent))
+        self._background.do(self._started.set, always=True)
+
+    def log(self, metrics: Mapping[str, float], step: int) -> None:
+        """Keep `metrics` of generation `step` as one batch; returns at once."""
+        batch, when = dict(metrics), time.time()
+        self._do(lambda: self._run.log(batch, step, when))
+
+    def artifacts(self, folder: Path, pattern: str = "**/*") -> None:
+        """Keep the files in `folder` that match `pattern`; returns at once, so they must stay as they are."""
+        self._do(lambda: self._run.artifacts(folder, pattern))
+
+    def finish(self, status: str) -> None:
+        """End the run and wait until it is kept, but not longer than the patience."""
+        if self._background is None:
+            return
+        self._background.do(lambda: self._run.finish(status), always=True)
+        if not self._background.close(self._patience):
+            _log.warning("tracking: not done after %.0f s, left behind; the run's folder is complete", self._patience)
+        self._background = None
+
+    def identity(self, seconds: float) -> str | None:
+        """Identity of the run in mlflow; None when it is not known within `seconds`."""
+        self._started.wait(seconds)
+        return self._run.run_id
+
+    @property
+    def where(self) -> str:
+        """Command and address that show the runs; "" before the store answered."""
+        if self._run.experiment_id is None:
+            return ""
+        page = f"#/experiments/{self._run.experiment_id}?workflowType=machine_learning"
+        if self._uri is None:
+            return f"{self._store.command}   then open {ADDRESS}/{page}"
+        if self._uri.startswith("http"):
+            return f"{self._uri.rstrip('/')}/{page}"
+        return f"mlflow ui --workers 1 --backend-store-uri {self._uri}   then open {ADDRESS}/{page}"
+
+    def _do(self, job: Callable[[], None]) -> None:
+        if self._background is not None:
+            self._background.do(job)
+
+    def _give_up(self, error: Exception) -> None:
+        reason = " ".join(str(error).split())[:200] or type(error).__name__
+        _log.warning("tracking: stopped, the run goes on and its own folder is complete (%s)", reason)

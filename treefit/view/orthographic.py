@@ -1,0 +1,42 @@
+"""Orthographic view of a plant as a mask, drawn by the bit-row rasteriser."""
+
+from __future__ import annotations
+
+import math
+from typing import ClassVar
+
+import numpy as np
+from numpy.typing import NDArray
+from pydantic import ConfigDict, Field
+from pydantic.dataclasses import dataclass
+
+from treefit.plant import Plant
+from treefit.plant.extent import extent, rows_of
+from treefit.view.frame import BitMask, Frame
+from treefit.view.raster import SLABS, composite, draw
+
+
+@dataclass(frozen=True, config=ConfigDict(extra="forbid"))
+class OrthographicView:
+    """Looks along +y (x to the right, z up) at the plant turned by `azimuth` degrees; `resolution` rows a plant."""
+
+    resolution: int = Field(default=128, ge=16, le=1024)
+    azimuth: float = Field(default=0.0, ge=-360, le=360)
+    parallel: ClassVar[str] = "threads"
+
+    def __call__(self, plant: Plant, frame: Frame) -> BitMask:
+        """Bit rows of `plant` in `frame`; the highest point of the plant is the frame's top."""
+        xyz, leaf_xyz, axis, normal, size = rows_of(plant)
+        angle = math.radians(self.azimuth)
+        cos, sin = np.float32(math.cos(angle)), np.float32(math.sin(angle))
+        top, _, _, near, far = extent(xyz, leaf_xyz, axis, normal, size, cos, sin)
+        planes = np.zeros((SLABS, 2, frame.height, frame.words), np.uint64)
+        draw(planes, xyz, plant.radius, plant.parent, plant.level, leaf_xyz, axis, normal, size, cos, sin,
+             np.float32(frame.height / top), near, far)  # fmt: skip
+        branch, foliage = _empty(frame), _empty(frame)
+        composite(planes, branch, foliage)
+        return BitMask(branch, foliage)
+
+
+def _empty(frame: Frame) -> NDArray[np.uint64]:
+    return np.empty((frame.height, frame.words), np.uint64)
