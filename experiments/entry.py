@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import logging
+import os
 import shlex
 import sys
 import traceback
@@ -40,7 +41,11 @@ def start(main: Callable[[], None]) -> int:
     except UserError as error:
         say(error)
         return WRONG_INPUT
-    main()
+    try:
+        main()
+    except BrokenPipeError:  # whoever read the output, `head` or a pager, has seen enough
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return FAILED
     return DONE
 
 
@@ -68,7 +73,8 @@ def _attempt(cfg: DictConfig, given: Sequence[str], folder: Path) -> tuple[int, 
             save_config(settled, folder)
         import_module(f"experiments.{settled.task}").run(settled)
     except KeyboardInterrupt:
-        print(f"stopped; to go on: python run.py resume={shlex.quote(str(folder))}", file=sys.stderr)
+        go_on = f"; to go on: python run.py resume={shlex.quote(str(folder))}"
+        print(f"stopped{go_on if (folder / 'checkpoint.npz').exists() else ''}", file=sys.stderr)
         sys.exit(STOPPED)
     except Exception as error:
         return _tell(error, bool(cfg.debug), folder, known_folder), one_line(error)

@@ -25,7 +25,7 @@ def is_input_error(error: BaseException) -> bool:
 def did_you_mean(name: str, known: Iterable[str]) -> str:
     """Return "; did you mean 'x'?; known: a, b" for a `name` that is not among `known`."""
     names = sorted(known)
-    close = get_close_matches(name, names, n=1, cutoff=0.5)
+    close = get_close_matches(name, names, n=1, cutoff=0.5) or [known for known in names if known.startswith(name)]
     hint = f"; did you mean {close[0]!r}?" if close else ""
     return f"{hint} (there is: {', '.join(names) or 'nothing'})"
 

@@ -21,14 +21,16 @@ WIDTH, HEIGHT = 600, 800
 COLOURS = 256
 
 OAK = Species(
-    trunk=0.27, girth=0.034, first_limb=0.27, shrink=0.76, opening=0.72, leader=0.45, lift=0.035, wide=0.86,
-    cluster=0.062, leaves=95, leaf=0.0085,
+    bare=0.22, girth=0.029, middle=0.60, wide=0.43, high=0.40, lobes=64, lobe=0.098, leaves=900, leaf=0.0066,
     greens=((0.0, (18, 36, 16)), (0.4, (52, 88, 30)), (0.75, (124, 152, 54)), (1.0, (212, 216, 118))),
 )  # fmt: skip
 LINDEN = Species(
-    trunk=0.24, girth=0.027, first_limb=0.30, shrink=0.74, opening=0.62, leader=0.12, lift=0.03, wide=0.62,
-    cluster=0.062, leaves=95, leaf=0.008,
+    bare=0.22, girth=0.024, middle=0.60, wide=0.28, high=0.40, lobes=54, lobe=0.085, leaves=800, leaf=0.0062,
     greens=((0.0, (16, 58, 30)), (0.4, (44, 116, 46)), (0.75, (110, 172, 66)), (1.0, (204, 226, 124))),
+)  # fmt: skip
+ELM = Species(
+    bare=0.27, girth=0.030, middle=0.64, wide=0.40, high=0.35, lobes=34, lobe=0.082, leaves=420, leaf=0.0085,
+    greens=OAK.greens,
 )  # fmt: skip
 
 
@@ -64,7 +66,7 @@ def oak(rng: np.random.Generator) -> Image.Image:
     land = paint(scene, rng)
     tree = blank(WIDTH, HEIGHT)
     x, foot = 0.5 * tree.width, 0.90 * tree.height
-    paint_broadleaf(tree, OAK, x, foot, 0.80 * tree.height, rng)
+    paint_broadleaf(tree, OAK, x, foot, 0.84 * tree.height, rng)
     throw_shadow(land, x + 80, foot + 10, 440, 46, rng)
     return finished(land, tree, x, foot, rng)
 
@@ -79,7 +81,7 @@ def cutout(rng: np.random.Generator) -> Image.Image:
 def silhouette(rng: np.random.Generator) -> Image.Image:
     """A black tree on white."""
     tree = blank(WIDTH, HEIGHT)
-    paint_broadleaf(tree, OAK, 0.5 * tree.width, 0.95 * tree.height, 0.84 * tree.height, rng)
+    paint_broadleaf(tree, ELM, 0.5 * tree.width, 0.95 * tree.height, 0.84 * tree.height, rng)
     shape = shrunk(tree).getchannel("A")
     return shape.point(lambda opacity: 255 - opacity).quantize(16)
 
@@ -98,6 +100,9 @@ def finished(land: Image.Image, tree: Image.Image, x: float, foot: float, rng: n
         colour = tone(GRASS, rng.uniform(0.15, 0.6), rng, 0.06)
         dab(draw, u, foot + rng.uniform(0, 14) - long / 2, long, 3, np.pi / 2 + rng.normal(0, 0.3), colour)
     small = land.resize((land.width // OVERSAMPLING, land.height // OVERSAMPLING), Image.Resampling.LANCZOS)
+    # a little grain, as film has, hides the steps between few colours
+    grain = rng.normal(0, 1.3, (small.height, small.width, 1))
+    small = Image.fromarray(np.clip(np.asarray(small) + grain, 0, 255).round().astype(np.uint8))
     palette = small.quantize(COLOURS, Image.Quantize.MAXCOVERAGE, kmeans=2)
     return small.quantize(palette=palette, dither=Image.Dither.FLOYDSTEINBERG)
 

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
 import os
 import zipfile
+import zlib
 from collections.abc import Mapping
 from pathlib import Path
 
@@ -23,9 +25,10 @@ class CheckpointError(ValueError):
 def write_checkpoint(path: Path, arrays: State, meta: Mapping[str, object]) -> None:
     """Write `arrays` and `meta` (JSON values) to `path`; the old file stays whole until the new one is."""
     text = np.frombuffer(json.dumps(meta, allow_nan=False).encode(), np.uint8)
+    whole = {"meta": text, **{f"state_{name}": np.asarray(array) for name, array in arrays.items()}}
     unfinished = path.with_name(path.name + ".tmp")
     with unfinished.open("wb") as file:
-        np.savez(file, allow_pickle=False, meta=text, **{f"state_{name}": array for name, array in arrays.items()})
+        np.savez(file, allow_pickle=False, digest=_digest(whole), **whole)
         file.flush()
         os.fsync(file.fileno())
     unfinished.replace(path)
@@ -35,12 +38,23 @@ def read_checkpoint(path: Path) -> tuple[dict[str, NDArray[np.generic]], Meta]:
     """Arrays and meta of `path`; CheckpointError when it is damaged, FileNotFoundError when there is none."""
     try:
         with np.load(path, allow_pickle=False) as file:
-            arrays = {name.removeprefix("state_"): file[name] for name in file.files if name.startswith("state_")}
-            meta = json.loads(bytes(file["meta"]).decode())
+            whole = {name: file[name] for name in file.files if name != "digest"}
+            if (file["digest"] != _digest(whole)).any():
+                raise ValueError("its digest is wrong")
+        meta = json.loads(bytes(whole.pop("meta")).decode())
     except FileNotFoundError:
         raise
-    except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile) as error:
+    except (OSError, ValueError, KeyError, EOFError, NotImplementedError, zipfile.BadZipFile, zlib.error) as error:
         raise CheckpointError(
             f"{path}: damaged checkpoint ({type(error).__name__}); delete it to start anew"
         ) from error
-    return arrays, meta
+    return {name.removeprefix("state_"): array for name, array in whole.items()}, meta
+
+
+def _digest(arrays: Mapping[str, NDArray[np.generic]]) -> NDArray[np.uint8]:
+    """Hash of names, types, shapes and bytes, in the order of the names."""
+    found = hashlib.sha256()
+    for name in sorted(arrays):
+        array = np.ascontiguousarray(arrays[name])
+        found.update(f"{name} {array.dtype.str} {array.shape}".encode() + array.tobytes())
+    return np.frombuffer(found.digest(), np.uint8)

@@ -1,4 +1,4 @@
-"""Broadleaf tree: a forking skeleton in space that carries clusters of leaf dabs, lit from the upper left."""
+"""Broadleaf tree: a crown of leafy lobes on a grown skeleton, lit from the upper left."""
 
 from __future__ import annotations
 
@@ -6,138 +6,88 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from PIL import Image, ImageDraw
 
 from painting.bark import paint_limb
 from painting.canvas import Colour, dab, tone
+from painting.skeleton import Points, grow
 
 SUN = np.array([-0.52, 0.68, 0.52])
-
-Vector = NDArray[np.float64]
-"""(3,) x to the right, y up, z to the viewer, in pixels."""
+GOLDEN_ANGLE = math.pi * (3 - math.sqrt(5))
 
 
 @dataclass(frozen=True)
 class Species:
-    """Shape and colours; lengths are shares of the tree's height.
+    """Shape in tree heights, and colours: the crown is an ellipsoid of `wide` and `high` half axes, set with lobes."""
 
-    `leader` is how far the first branch of a fork turns aside compared with the others: 0 gives one straight axis;
-    `wide` is the width of the whole tree.
-    """
-
-    trunk: float
+    bare: float
     girth: float
-    first_limb: float
-    shrink: float
-    opening: float
-    leader: float
-    lift: float
+    middle: float
     wide: float
-    cluster: float
+    high: float
+    lobes: int
+    lobe: float
     leaves: int
     leaf: float
     greens: tuple[tuple[float, Colour], ...]
-
-
-@dataclass(frozen=True)
-class Limb:
-    """One unforked piece: points (n, 3) and radii (n,) in pixels; depth 0 is the trunk."""
-
-    points: NDArray[np.float64]
-    radii: NDArray[np.float64]
-    depth: int
 
 
 def paint_broadleaf(
     layer: Image.Image, species: Species, x: float, foot: float, tall: float, rng: np.random.Generator
 ) -> None:
     """Paint a tree about `tall` pixels high with its foot at (x, foot) on a transparent layer."""
-    limbs: list[Limb] = []
-    _grow(limbs, species, np.zeros(3), np.array([rng.normal(0, 0.03), 1.0, 0.0]), species.trunk, species.girth, 0, rng)
-    tips = np.array([limb.points[-1] for limb in limbs if limb.depth >= 4])
-    tall_scale = tall / (tips[:, 1].max() + 0.8 * species.cluster)
-    # a tree wider than its species is squeezed, as seen from a side where it is narrow
-    wide_scale = min(tall_scale, tall * species.wide / (np.ptp(tips[:, 0]) + 1.6 * species.cluster))
-    stretch = np.array([wide_scale, tall_scale, wide_scale])
-    tips, scale = tips * stretch, tall_scale
+    centres, sizes = _lobes(species, rng)
+    places = np.vstack([c + s * 0.7 * _ball(26, rng) for c, s in zip(centres, sizes, strict=True)])
+    limbs = grow(places, species.bare, species.girth, rng)
     draw = ImageDraw.Draw(layer)
-    heart = np.array([tips[:, 0].mean(), tips[:, 1].mean(), 0.0])
-    behind, before = tips[tips[:, 2] < 0], tips[tips[:, 2] >= 0]
-    _paint_leaves(draw, species, behind, heart, (x, foot, scale), -0.16, rng)
-    for limb in sorted(limbs, key=lambda limb: -limb.depth):
-        points = limb.points * stretch
-        path = [(x + p[0], foot - p[1], max(1.0, r * scale)) for p, r in zip(points, limb.radii, strict=True)]
-        paint_limb(draw, path, rng, dim=0.0 if limb.depth == 0 else 0.12)
-    _paint_leaves(draw, species, before, heart, (x, foot, scale), 0.0, rng)
+    order = np.argsort(centres[:, 2])
+    far = int((centres[:, 2] < 0).sum())
+    for lobe in order[:far]:
+        _paint_lobe(draw, species, centres[lobe], sizes[lobe], (x, foot, tall), rng)
+    for limb in reversed(limbs):
+        path = [(x + p[0] * tall, foot - p[1] * tall, r * tall) for p, r in zip(limb.points, limb.radii, strict=True)]
+        paint_limb(draw, path, rng, dim=0.0 if limb is limbs[0] else 0.10)
+    for lobe in order[far:]:
+        _paint_lobe(draw, species, centres[lobe], sizes[lobe], (x, foot, tall), rng)
 
 
-def _grow(
-    limbs: list[Limb],
-    species: Species,
-    start: Vector,
-    heading: Vector,
-    length: float,
-    radius: float,
-    depth: int,
-    rng: np.random.Generator,
-) -> None:
-    points, way = [start], heading
-    for _ in range(8):
-        way = way + rng.normal(0, 0.07 if depth else 0.02, 3) + (0.0, species.lift if depth else 0.0, 0.0)
-        way = way / np.linalg.norm(way)
-        points.append(points[-1] + way * length / 8)
-    along = np.linspace(0, 1, 9)
-    # the foot of the trunk widens into its roots
-    flare = 0.9 * np.exp(-along * 9) if depth == 0 else 0.0
-    limbs.append(Limb(np.array(points), radius * (1 - 0.3 * along + flare), depth))
-    if depth == 6:
-        return
-    count = 4 if depth == 0 else int(rng.integers(2, 4))
-    turn = rng.uniform(0, 2 * math.pi)
-    for index in range(count):
-        azimuth = turn + 2 * math.pi * index / count + rng.normal(0, 0.3)
-        turned = species.leader if index == 0 else rng.uniform(0.75, 1.35)
-        child = _tilt(way, species.opening * turned, azimuth)
-        long = (species.first_limb if depth == 0 else length * species.shrink) * rng.uniform(0.8, 1.15)
-        _grow(limbs, species, points[-1], child, long, 0.7 * radius * count**-0.42 * 1.25, depth + 1, rng)
+def _lobes(species: Species, rng: np.random.Generator) -> tuple[Points, Points]:
+    """Centres (n, 3) spread evenly over the crown, some inside, and radii (n,)."""
+    index = np.arange(species.lobes) + 0.5
+    up = 1 - 1.75 * index / species.lobes
+    turn = index * GOLDEN_ANGLE + rng.uniform(0, 6)
+    ring = np.sqrt(1 - up**2)
+    shell = np.stack((ring * np.cos(turn), up, ring * np.sin(turn)), axis=1)
+    shell *= rng.uniform(0.52, 1.0, (species.lobes, 1)) ** 0.5
+    half = np.array([species.wide, species.high, species.wide]) - species.lobe
+    centres = shell * half + (0, species.middle, 0) + rng.normal(0, 0.012, shell.shape)
+    return centres, species.lobe * rng.uniform(0.65, 1.25, species.lobes)
 
 
-def _tilt(way: Vector, angle: float, azimuth: float) -> Vector:
-    """`way` turned by `angle` radians towards `azimuth` around it."""
-    aside = np.cross(way, (0.0, 0.0, 1.0))
-    aside /= np.linalg.norm(aside) + 1e-9
-    third = np.cross(way, aside)
-    around = math.cos(azimuth) * aside + math.sin(azimuth) * third
-    return np.asarray(math.cos(angle) * way + math.sin(angle) * around)
-
-
-def _paint_leaves(
+def _paint_lobe(
     draw: ImageDraw.ImageDraw,
     species: Species,
-    tips: NDArray[np.float64],
-    heart: Vector,
+    centre: Points,
+    size: float,
     frame: tuple[float, float, float],
-    shade: float,
     rng: np.random.Generator,
 ) -> None:
-    """Clusters from far to near; a leaf is light where its cluster and the crown face the sun."""
-    x, foot, scale = frame
-    ball = species.cluster * scale
-    crown = np.abs(tips - heart).max(axis=0) + ball
-    for tip in tips[np.argsort(tips[:, 2])]:
-        outward = (tip - heart) / crown
-        # leaves low in a cluster first: the sunlit ones lie on top
-        offsets = _ball(species.leaves, rng) * (1.0, 0.75, 1.0)
-        for offset in offsets[np.argsort(offsets @ SUN)]:
-            place = tip + offset * ball
-            light = 0.40 + shade + 0.27 * float(offset @ SUN) + 0.34 * float(outward @ SUN) + rng.normal(0, 0.07)
-            colour = tone(list(species.greens), min(max(light, 0), 1), rng, 0.05)
-            size = species.leaf * scale * rng.uniform(0.7, 1.3)
-            dab(draw, x + place[0], foot - place[1], size, size * 0.62, rng.uniform(0, math.pi), (*colour, 255))
+    """Leaves of one lobe; a leaf is light where the lobe and the whole crown face the sun."""
+    x, foot, tall = frame
+    crown = np.array([species.wide, species.high, species.wide])
+    outward = (centre - (0, species.middle, 0)) / crown
+    offsets = _ball(species.leaves, rng)
+    # leaves away from the sun first: the lit ones lie on top
+    for offset in offsets[np.argsort(offsets @ SUN)]:
+        place = centre + offset * size * (1.08, 0.86, 1.0)
+        light = 0.40 + 0.40 * float(offset @ SUN) + 0.24 * float(outward @ SUN) + rng.normal(0, 0.06)
+        colour = tone(list(species.greens), min(max(light, 0), 1), rng, 0.05)
+        long = species.leaf * tall * rng.uniform(0.7, 1.3)
+        dab(draw, x + place[0] * tall, foot - place[1] * tall, long, 0.62 * long, rng.uniform(0, math.pi), (*colour, 255))
 
 
-def _ball(count: int, rng: np.random.Generator) -> NDArray[np.float64]:
-    """(count, 3) points within a unit ball, denser in the middle."""
+def _ball(count: int, rng: np.random.Generator) -> Points:
+    """(count, 3) points within a unit ball, evenly but for a frayed rim."""
     way = rng.normal(0, 1, (count, 3))
-    return np.asarray(way / np.linalg.norm(way, axis=1, keepdims=True) * rng.uniform(0, 1, (count, 1)) ** 0.5)
+    reach = rng.uniform(0, 1, (count, 1)) ** 0.4 * rng.uniform(0.85, 1.12, (count, 1))
+    return np.asarray(way / np.linalg.norm(way, axis=1, keepdims=True) * reach)

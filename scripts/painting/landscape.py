@@ -69,7 +69,7 @@ def _hills(picture: Light, scene: Scene, rng: np.random.Generator) -> None:
         line = fractal((2, width), (1, 2 + 2 * index), 3 + 2 * index, rng)[0]
         top = ground - height * (0.075 - 0.055 * nearness) - line * height * (0.03 - 0.012 * nearness)
         inside = np.arange(height)[:, None] > top
-        mottle = 1 + 0.10 * nearness * fractal((height, width), (40, 30), 3, rng)[..., None]
+        mottle = 1 + 0.05 * nearness * fractal((height, width), (40, 30), 3, rng)[..., None]
         haze = np.clip((np.arange(height)[:, None] - top) / (0.1 * height), 0, 1)[..., None] * 12
         picture[inside] = (np.array(colour) * mottle + haze)[inside]
 

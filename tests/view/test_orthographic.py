@@ -33,8 +33,8 @@ def test_half_a_turn_mirrors_the_silhouette(plants: list[Plant]) -> None:
 def test_the_plant_fills_the_height_and_stands_in_the_middle(plants: list[Plant]) -> None:
     for plant in plants:
         mask = OrthographicView()(plant, FRAME).unpack()
-        assert mask[:4].any()
-        assert mask[-4:].any()  # a thin trunk may miss all the centres of a row
+        assert mask[:16].any()  # the tip of a thin twig may miss all the centres of several rows
+        assert mask[-4:].any()
         assert abs(np.nonzero(mask[-4:])[1].mean() + 0.5 - FRAME.width / 2) < 12
 
 

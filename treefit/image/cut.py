@@ -19,6 +19,7 @@ TEXTURES = (3.0, 8.0)
 RARE = 2e-5
 COLOUR_LIMIT = 3.0
 SKY_WEIGHT = 0.3
+SMOOTH, SMOOTH_LOSS = 3.0, 4.0
 
 
 def soft_cut(lab: Lab, expected: NDArray[np.float64], sky: Region) -> NDArray[np.float64]:
@@ -32,6 +33,7 @@ def soft_cut(lab: Lab, expected: NDArray[np.float64], sky: Region) -> NDArray[np
     links = _links(lab, sky)
     system = (links + PULL * sparse.identity(links.shape[0])).tocsr()
     scale = sparse.diags(1 / system.diagonal())
+    expected = expected - _smoothness_loss(lab)
     tree = _sigmoid(expected)
     for _ in range(ROUNDS):
         odds = _colour_odds(bins, tree.ravel(), weights).reshape(tree.shape)
@@ -39,6 +41,11 @@ def soft_cut(lab: Lab, expected: NDArray[np.float64], sky: Region) -> NDArray[np
         walked, _ = cg(system, PULL * wanted.ravel(), x0=tree.ravel(), rtol=1e-3, maxiter=200, M=scale)
         tree = np.where(sky, 0.0, np.clip(walked.reshape(tree.shape), 0, 1))
     return tree
+
+
+def _smoothness_loss(lab: Lab) -> NDArray[np.float64]:
+    """(h, w) log odds taken from smooth areas: hills in haze, walls and roads have no leaves."""
+    return SMOOTH_LOSS * np.asarray(ndimage.gaussian_filter(steepness(lab, 1.0), 3.0) < SMOOTH)
 
 
 def _sigmoid(odds: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -23,6 +23,8 @@ BEND_LOSS, WIDENING_LOSS = 0.15, 0.6
 WIDEST, WIDENING = 0.16, 1.9
 LEAST_LENGTH, LEAST_STRENGTH = 0.04, 1.5
 OTHER_COLOUR = 22.0
+ADAPTION = 0.1
+COLOUR_WEIGHTS = (0.5, 1.0, 1.0)
 PATIENCE = 0.04
 SKY_LOSS = -3.0
 
@@ -114,8 +116,8 @@ def _climb(lab: Lab, path: list[_Bar]) -> list[_Bar]:
     strange = 0
     for index, (bar, colour) in enumerate(zip(path, colours, strict=True)):
         # lightness counts less: the stem goes through sun and shade
-        if np.sqrt(((colour - typical) ** 2 * (0.5, 1, 1)).sum()) < OTHER_COLOUR and bar.width < widest:
-            typical, strange = 0.9 * typical + 0.1 * colour, 0
+        if np.sqrt(((colour - typical) ** 2 * COLOUR_WEIGHTS).sum()) < OTHER_COLOUR and bar.width < widest:
+            typical, strange = (1 - ADAPTION) * typical + ADAPTION * colour, 0
             continue
         strange += 1
         if strange > PATIENCE * height:

@@ -1,0 +1,99 @@
+from pathlib import Path
+
+import pytest
+from omegaconf import OmegaConf
+
+from experiments.build import build
+from experiments.check import CONFIG_FOLDER, check, check_names
+from experiments.errors import UserError
+
+
+@pytest.fixture(autouse=True)
+def _here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "tree.png").touch()
+
+
+WRONG = {
+    "generator=simplegn": "generator: no option 'simplegn'; did you mean 'simplegen'?",
+    "generatr=gegen": "generatr: no such setting; did you mean 'generator'?",
+    "optimizer.evalutions=5": "optimizer.evalutions: no such setting; did you mean 'evaluations'?",
+    "candidates.cuont=5": "candidates.cuont: no such setting; did you mean 'count'?",
+    "seed.x=5": "seed: has no parts, so there is no 'seed.x'",
+    "optimizer.evaluations=-5": "optimizer.evaluations: must be greater than",
+    "optimizer.evaluations=lots": "optimizer.evaluations: must be a valid integer",
+    "seed=-1": "seed: must be greater than or equal to 0, got -1",
+    "seed=x": "seed: must be a valid integer",
+    "debug=maybe": "debug: must be a valid boolean",
+    "candidates.count=0": "candidates.count: must be greater than or equal to 1, got 0",
+    "stop.seconds=0": "stop.seconds: must be greater than 0, got 0",
+    "stop=3": "stop",
+    "task=mak": "task: no task 'mak'; did you mean 'mask'?",
+    "image=tre.png": "image: no such file: tre.png; did you mean 'tree.png'?",
+    "mask=file": "mask.path: must be given",
+    "seed": "'seed': write name=value",
+    "values={a": "values: cannot read '{a'",
+    "=": "cannot read",
+    "seed=1,2": "seed: '1,2' means several runs; add -m",
+    "view._target_=os.system": "view: _target_ must start with one of",
+    "tracking.patience=-1": "tracking.patience: must be a number of seconds greater than 0, got -1",
+}
+
+
+@pytest.mark.parametrize("setting", WRONG)
+def test_wrong_setting_is_one_clear_line(setting: str) -> None:
+    with pytest.raises(UserError) as caught:
+        check(["image=tree.png", setting], sweep=False)
+    assert WRONG[setting] in str(caught.value)
+    assert "\n" not in str(caught.value)
+
+
+def test_picture_must_be_given() -> None:
+    with pytest.raises(UserError, match="image: which picture"):
+        check([], sweep=False)
+
+
+def test_every_run_of_a_sweep_is_checked() -> None:
+    check(["image=tree.png", "seed=1,2", "generator=simplegen"], sweep=True)
+    with pytest.raises(UserError, match="seed: must be greater"):
+        check(["image=tree.png", "seed=1,2,-3"], sweep=True)
+    with pytest.raises(UserError, match="no option 'simplegn'"):
+        check(["image=tree.png", "generator=simplegen,simplegn"], sweep=True)
+
+
+def test_group_that_the_task_does_not_need_is_checked_when_it_is_set() -> None:
+    with pytest.raises(UserError, match="optimizer.evaluations"):
+        check(["task=mask", "image=tree.png", "optimizer.evaluations=-5"], sweep=False)
+
+
+def test_names_alone_can_be_checked() -> None:
+    check_names([], sweep=False)
+    with pytest.raises(UserError, match="no option 'simplegn'"):
+        check_names(["generator=simplegn"], sweep=False)
+
+
+@pytest.mark.parametrize("preset", sorted(path.stem for path in (CONFIG_FOLDER / "experiment").glob("*.yaml")))
+def test_every_preset_is_right(preset: str) -> None:
+    check(["image=tree.png", f"experiment={preset}"], sweep=False)
+
+
+OPTIONS = sorted(
+    f"{path.parent.name}={path.stem}"
+    for path in CONFIG_FOLDER.glob("*/*.yaml")
+    if path.parent.name != "experiment" and path.stem != "file"
+)
+
+
+@pytest.mark.parametrize("option", OPTIONS)
+def test_every_option_of_every_group_is_right(option: str) -> None:
+    try:
+        check(["image=tree.png", option], sweep=False)
+    except UserError as error:
+        assert "OpenGL" in str(error), error  # the view that needs system libraries says so
+
+
+def test_mask_options_state_the_defaults_of_their_classes() -> None:
+    for name in ("alpha", "sketch", "colour"):
+        node = OmegaConf.load(CONFIG_FOLDER / "mask" / f"{name}.yaml")
+        bare = OmegaConf.create({"_target_": node._target_})
+        assert build(node, "mask") == build(bare, "mask")

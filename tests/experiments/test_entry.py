@@ -1,0 +1,73 @@
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image, ImageDraw
+
+ROOT = Path(__file__).parents[2]
+
+
+@pytest.fixture
+def here(tmp_path: Path) -> Path:
+    image = Image.new("RGB", (200, 260), (214, 232, 250))
+    draw = ImageDraw.Draw(image)
+    draw.rectangle((92, 150, 108, 255), fill=(110, 75, 50))
+    draw.ellipse((40, 20, 160, 180), fill=(50, 120, 40))
+    image.save(tmp_path / "été, [a=1] (2).png")
+    (tmp_path / "text.png").write_text("no picture")
+    return tmp_path
+
+
+def run(here: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
+    command = [sys.executable, str(ROOT / "run.py"), *arguments]
+    return subprocess.run(
+        command, cwd=here, capture_output=True, text=True, timeout=120, env={**os.environ, "PYTHONUTF8": "1"}
+    )
+
+
+def test_mask_of_a_picture_with_a_difficult_name(here: Path) -> None:
+    done = run(here, "task=mask", "image=été, [a=1] (2).png", "hydra.run.dir=my out")
+    assert done.returncode == 0, done.stderr
+    told = json.loads(done.stdout.splitlines()[-1])
+    assert set(told) == {"method", "confidence", "warnings", "tree_fraction"}
+    with Image.open(here / "my out" / "mask.png") as mask:
+        assert mask.mode == "P"
+        assert mask.size == (200, 260)
+        pixels = np.asarray(mask)
+    assert set(np.unique(pixels)) <= {0, 1, 2}
+    assert np.isclose((pixels > 0).mean(), told["tree_fraction"])
+    assert {file.name for file in (here / "my out").iterdir()} == {"mask.png", "mask_overlay.png", "config.yaml"}
+
+
+@pytest.mark.parametrize("arguments", [("image=text.png", "task=mask"), ("image=text.png", "optimizer.evaluations=-5")])
+def test_wrong_input_is_one_line_and_leaves_nothing(here: Path, arguments: tuple[str, ...]) -> None:
+    before = sorted(here.iterdir())
+    done = run(here, *arguments)
+    assert done.returncode == 2
+    assert done.stdout == ""
+    assert len(done.stderr.splitlines()) == 1
+    assert done.stderr.startswith("error: ")
+    assert sorted(here.iterdir()) == before
+
+
+def test_sweep_goes_on_after_a_failure_and_its_status_tells(here: Path) -> None:
+    done = run(here, "-m", "task=mask", "image=*.png", "hydra.sweep.dir=out")
+    assert done.returncode == 1
+    assert "Traceback" not in done.stderr
+    assert done.stderr.count("error: ") == 1
+    assert "1 of 2 runs done, 1 failed" in done.stdout
+    jobs = {json.loads(file.read_text())["status"] for file in (here / "out").glob("*/job.json")}
+    assert jobs == {"failed", "done"}
+    assert (here / "out" / "sweep.html").is_file()
+    assert (here / "out" / "sweep.png").is_file()
+
+
+def test_help_names_every_group_and_task(here: Path) -> None:
+    done = run(here, "--help")
+    assert done.returncode == 0
+    for word in ("python run.py image=pine.png", "benchmark", "simplegen", "tree_ga", "mlflow", "outputs/"):
+        assert word in done.stdout

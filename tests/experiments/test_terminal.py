@@ -1,0 +1,61 @@
+import io
+import logging
+from pathlib import Path
+
+import pytest
+from rich.console import Console
+
+from experiments.terminal import OneLine, Progress, print_results, print_sweep, time_left
+
+
+def test_progress_draws_a_bar_on_a_terminal() -> None:
+    out = io.StringIO()
+    with Progress(Console(file=out, force_terminal=True, width=120)) as progress:
+        progress.update(500, 1000, 0.75, 250.0)
+        progress._bar.refresh()
+    assert "500/1000" in out.getvalue()
+    assert "0.7500" in out.getvalue()
+    assert "2 s left" in out.getvalue()
+
+
+def test_progress_is_a_line_now_and_then_elsewhere() -> None:
+    out = io.StringIO()
+    with Progress(Console(file=out)) as progress:
+        for done in range(0, 1001, 10):
+            progress.update(done, 1000, 0.5, 250.0)
+    assert out.getvalue().splitlines() == [
+        "0 of 1,000 evaluations, best 0.5000, 250 per second, 4 s left",
+        "1,000 of 1,000 evaluations, best 0.5000, 250 per second, done",
+    ]
+
+
+@pytest.mark.parametrize(
+    ("evaluations", "rate", "words"),
+    [(0, 5.0, "done"), (100, 0.0, "time left unknown"), (650, 10.0, "1 min 5 s left"), (50, 10.0, "5 s left")],
+)
+def test_time_left_in_words(evaluations: int, rate: float, words: str) -> None:
+    assert time_left(evaluations, rate) == words
+
+
+def test_results_end_with_the_next_commands(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    folder = tmp_path / "my run"
+    print_results([{"candidate": 1, "score": 0.8123, "vertices": 12345}], folder, "mlflow ui")
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[0].split() == ["candidate", "score", "vertices"]
+    assert lines[1].split() == ["1", "0.812", "12,345"]
+    assert lines[3] == f"look     python -m webbrowser {(folder / 'viewer.html').as_uri()}"
+    assert lines[4] == "browse   mlflow ui"
+
+
+def test_sweep_says_how_many_failed(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    print_sweep(6, 1, tmp_path, "")
+    assert capsys.readouterr().out.startswith("sweep    5 of 6 runs done, 1 failed\n")
+
+
+def test_log_on_the_terminal_is_one_line_without_the_place_in_the_code() -> None:
+    try:
+        raise RuntimeError
+    except RuntimeError as error:
+        trace = (type(error), error, error.__traceback__)
+    record = logging.LogRecord("x", logging.ERROR, "f", 1, "two\nlines", None, trace)
+    assert OneLine().format(record) == "error: two lines"

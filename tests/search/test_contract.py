@@ -1,0 +1,94 @@
+"""Contract that every optimiser passes."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from treefit.search import Optimizer, RandomSearch, Strategy, TreeGA
+
+STRATEGIES: dict[str, Strategy] = {
+    "tree_ga": TreeGA(evaluations=1500, population=20, start_population=30, generations=10),
+    "uniform": TreeGA(evaluations=1500, population=20, start_population=30, generations=10, crossover="uniform"),
+    "random": RandomSearch(evaluations=1500, batch=70),
+}
+
+
+@pytest.fixture(params=STRATEGIES)
+def strategy(request: pytest.FixtureRequest) -> Strategy:
+    return STRATEGIES[request.param]
+
+
+def hill(genomes: np.ndarray) -> np.ndarray:
+    """Score with one peak at 0.3 in every gene."""
+    return np.exp(-((genomes - 0.3) ** 2).sum(axis=1))
+
+
+def run(search: Optimizer, steps: int = 10**6) -> list[np.ndarray]:
+    asked = []
+    while not search.done and steps > 0:
+        asked.append(search.ask())
+        search.tell(hill(asked[-1]))
+        steps -= 1
+    return asked
+
+
+def test_exactly_the_budget_is_asked(strategy: Strategy) -> None:
+    assert sum(len(genomes) for genomes in run(strategy.start(8, 1))) == strategy.evaluations
+
+
+@pytest.mark.parametrize("evaluations", [1, 7, 33, 111, 999])
+def test_odd_budgets_are_kept_too(evaluations: int) -> None:
+    search = TreeGA(evaluations=evaluations, population=20, start_population=30, generations=10).start(8, 1)
+    assert sum(len(genomes) for genomes in run(search)) == evaluations
+    assert len(search.best(3)[0]) >= 1
+
+
+def test_genomes_are_in_the_unit_cube(strategy: Strategy) -> None:
+    for genomes in run(strategy.start(8, 1)):
+        assert genomes.shape[1] == 8
+        assert 0 <= genomes.min() <= genomes.max() <= 1
+
+
+def test_the_same_seed_asks_the_same_and_another_does_not(strategy: Strategy) -> None:
+    one, two, other = (np.concatenate(run(strategy.start(8, seed))) for seed in (1, 1, 2))
+    assert one.tobytes() == two.tobytes() != other.tobytes()
+
+
+def test_the_best_is_the_best_that_was_told(strategy: Strategy) -> None:
+    search = strategy.start(8, 1)
+    asked = np.concatenate(run(search))
+    genomes, scores = search.best(5)
+    assert scores[0] == hill(asked).max()
+    np.testing.assert_allclose(hill(genomes), scores)
+
+
+@pytest.mark.parametrize("steps", [1, 3, 12, 20])
+def test_a_restored_search_goes_on_as_if_never_stopped(strategy: Strategy, steps: int) -> None:
+    whole, part, again = (strategy.start(8, 1) for _ in range(3))
+    asked = run(whole)
+    run(part, steps)
+    again.restore(part.state())
+    rest = run(again)
+    assert np.concatenate(rest).tobytes() == np.concatenate(asked[steps:]).tobytes()
+    assert again.best(4)[0].tobytes() == whole.best(4)[0].tobytes()
+
+
+def test_ask_fails_when_called_twice(strategy: Strategy) -> None:
+    search = strategy.start(8, 1)
+    search.ask()
+    with pytest.raises(ValueError, match="tell the scores"):
+        search.ask()
+
+
+def test_tell_fails_for_another_count_of_scores(strategy: Strategy) -> None:
+    search = strategy.start(8, 1)
+    search.ask()
+    with pytest.raises(ValueError, match="one score for each"):
+        search.tell(np.zeros(3))
+
+
+def test_the_tree_of_gas_beats_random_search() -> None:
+    tree, random = STRATEGIES["tree_ga"].start(8, 1), STRATEGIES["random"].start(8, 1)
+    run(tree), run(random)
+    assert tree.best(1)[1][0] > random.best(1)[1][0] + 0.05

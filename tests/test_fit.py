@@ -1,0 +1,92 @@
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from generators.simplegen import SimpleGen
+from tests.conftest import blob
+from tests.failing import Failing
+from treefit.checkpoint import CheckpointError
+from treefit.evaluation import Evaluator
+from treefit.fit import Failure, Generation, Result, SearchError, Stop, fit
+from treefit.plant import Generator
+from treefit.plant.characteristics import Characteristics
+from treefit.search import TreeGA
+from treefit.view import OrthographicView
+
+TARGET = blob(256, 256)
+
+
+def small(generator: Generator | None = None, **changes: Any) -> Result:
+    settings: dict[str, Any] = {
+        "optimizer": TreeGA(evaluations=600, population=20, start_population=30, generations=10),
+        "view": OrthographicView(resolution=64), "characteristics": Characteristics(vertices=400), "other_seeds": 1,
+        **changes,
+    }  # fmt: skip
+    return fit(TARGET, generator or SimpleGen(), **settings)
+
+
+def genomes(result: Result) -> list[bytes]:
+    return [candidate.genome.tobytes() for candidate in result.candidates]
+
+
+def test_a_fit_ends_with_distinct_candidates_best_first() -> None:
+    result = small(candidates=3)
+    scores = [candidate.score.total for candidate in result.candidates]
+    assert len(set(genomes(result))) == 3
+    assert scores == sorted(scores, reverse=True)
+    assert scores[0] == result.history[-1].best > 0.25
+    assert result.evaluations == 600
+
+
+def test_workers_do_not_change_the_result() -> None:
+    assert genomes(small(evaluator=Evaluator("serial"))) == genomes(small(evaluator=Evaluator("threads", 2, 3)))
+
+
+def test_a_fit_that_was_killed_goes_on_to_the_same_end(tmp_path: Path) -> None:
+    def kill(generation: Generation, failures: list[Failure]) -> None:
+        if generation.number == 9:
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        small(checkpoint=tmp_path / "c.npz", on_generation=kill)
+    numbers: list[int] = []
+    resumed = small(checkpoint=tmp_path / "c.npz", on_generation=lambda now, _: numbers.append(now.number))
+    whole = small()
+    assert genomes(resumed) == genomes(whole)
+    assert [line.best for line in resumed.history] == [line.best for line in whole.history]
+    assert numbers[0] == 10
+
+
+def test_a_checkpoint_of_another_search_is_refused(tmp_path: Path) -> None:
+    small(checkpoint=tmp_path / "c.npz")
+    with pytest.raises(CheckpointError, match="another picture, generator, seed or settings"):
+        small(checkpoint=tmp_path / "c.npz", seed=1)
+
+
+def test_the_search_stops_at_a_score() -> None:
+    result = small(stop=Stop(score=0.3))
+    assert result.evaluations < 600
+    assert result.history[-1].best >= 0.3
+
+
+def test_failures_are_counted_told_and_do_not_end_the_run() -> None:
+    seen: list[Failure] = []
+    result = small(Failing(0.3), on_generation=lambda _, failures: seen.extend(failures))
+    told = [failure for failure in seen if "the bark" in failure.reason]
+    assert result.failures["RuntimeError"] == len(told) > 20
+    assert all(float(failure.values["wobble"]) <= 0.18 for failure in told)
+    assert all(float(candidate.values["wobble"]) > 0.18 for candidate in result.candidates)
+
+
+def test_a_generator_that_always_fails_ends_the_run_with_its_reason() -> None:
+    with pytest.raises(SearchError, match="RuntimeError"):
+        small(Failing(1.0))
+
+
+def test_an_empty_mask_is_refused() -> None:
+    with pytest.raises(ValueError, match="no tree in it"):
+        fit(np.zeros((64, 64), np.uint8), SimpleGen())
