@@ -53,7 +53,7 @@ def _check_values(overrides: list[Override], cfg: DictConfig) -> None:
     settled = settle(cfg, [override.input_line or "" for override in overrides])
     task = read_settings(settled).task
     touched = {override.key_or_group.partition(".")[0] for override in overrides}
-    for group in settled:
+    for group in sorted(settled, key=lambda group: group not in touched):  # what the user set is told first
         node = settled[group]
         if OmegaConf.is_dict(node) and "_target_" in node and (group in TASKS[task] or group in touched):
             build(node, str(group))
@@ -63,7 +63,8 @@ def _parse(settings: Sequence[str], loader: ConfigLoader) -> list[Override]:
     parser = OverridesParser.create(config_loader=loader)
     parsed = []
     for setting in settings:
-        if "=" not in setting and not setting.startswith("~"):
+        name = setting.lstrip("+").partition("=")[0]
+        if not name or ("=" not in setting and not setting.startswith("~")):
             raise UserError(f"{setting!r}: write name=value, e.g. image=pine.png (python run.py --help)")
         try:
             parsed.append(parser.parse_override(setting))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import glob
+import os
 import re
 from collections.abc import Callable, Sequence
 from pathlib import Path
@@ -23,7 +24,8 @@ def prepare(arguments: Sequence[str]) -> list[str]:
     """`arguments` for Hydra: names of files quoted, patterns like folder/*.jpg replaced by their files."""
     sweep = is_sweep(arguments)
     prepared = [_prepare_one(argument, sweep) for argument in arguments]
-    return _resume(prepared) if any(_key(argument) == "resume" for argument in arguments) else prepared
+    folders = [_unquoted(argument.partition("=")[2]) for argument in arguments if _key(argument) == "resume"]
+    return _resume(prepared, folders[-1]) if folders and folders[-1] not in ("", "null") else prepared
 
 
 def is_sweep(arguments: Sequence[str]) -> bool:
@@ -72,27 +74,30 @@ def _prepare_one(argument: str, sweep: bool) -> str:
 
 def _is_settled(value: str) -> bool:
     """Whether `value` is empty, null, already quoted or a function of Hydra's grammar."""
-    quoted = len(value) > 1 and value[0] == value[-1] and value[0] in "'\""
-    return value in ("", "null") or quoted or bool(_FUNCTION.fullmatch(value))
+    return value in ("", "null") or _unquoted(value) != value or bool(_FUNCTION.fullmatch(value))
 
 
 def _expand(name: str, key: str) -> list[str]:
     """Files that the pattern `name` matches, in order; `name` itself when it is no pattern."""
     if is_file(name) or not glob.has_magic(name):
         return [name]
-    pattern = str(Path(name).expanduser())  # Path.glob takes no absolute pattern
+    pattern = os.path.expanduser(name)  # noqa: PTH111  as in pictures.py; and Path.glob takes no absolute pattern
     files = sorted(file for file in glob.glob(pattern, recursive=True) if Path(file).is_file())  # noqa: PTH207
     if not files and ("*" in name or "?" in name):
         raise UserError(f"{key}: no file matches the pattern {name!r}")
     return files or [name]
 
 
-def _resume(arguments: list[str]) -> list[str]:
-    """`arguments` that go on in the folder of an earlier run."""
+def _unquoted(value: str) -> str:
+    return value[1:-1] if len(value) > 1 and value[0] == value[-1] and value[0] in "'\"" else value
+
+
+def _resume(arguments: list[str], name: str) -> list[str]:
+    """`arguments` that go on in the folder `name` of an earlier run."""
     if is_sweep(arguments):
         raise UserError("resume: goes on with one run; leave out -m")
     given = {_key(argument): argument for argument in arguments if _key(argument)}
-    folder = Path(given["resume"].partition("=")[2].strip("'\"")).expanduser().resolve()
+    folder = Path(os.path.expanduser(name)).resolve()  # noqa: PTH111
     for key, argument in given.items():
         if re.split(r"[./]", key)[0] not in KEPT_ON_RESUME or key == "hydra.run.dir":
             raise UserError(

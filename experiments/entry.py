@@ -67,6 +67,7 @@ def run_task(cfg: DictConfig) -> None:
 def _attempt(cfg: DictConfig, given: Sequence[str], folder: Path) -> tuple[int, str]:
     """Exit status of the task and the line that was said when it failed."""
     known_folder = (folder / "config.yaml").exists()
+    logging.captureWarnings(True)
     try:
         settled = settle(cfg, given)
         if not settled.resume:
@@ -78,6 +79,8 @@ def _attempt(cfg: DictConfig, given: Sequence[str], folder: Path) -> tuple[int, 
         sys.exit(STOPPED)
     except Exception as error:
         return _tell(error, bool(cfg.debug), folder, known_folder), one_line(error)
+    finally:
+        logging.captureWarnings(False)
     return DONE, ""
 
 

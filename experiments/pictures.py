@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from difflib import get_close_matches
 from pathlib import Path
 
@@ -19,7 +20,7 @@ def examples() -> list[str]:
 def is_file(name: str) -> bool:
     """Whether `name` is a file, of the user's or among the examples."""
     try:
-        return Path(name).expanduser().is_file() or (EXAMPLES / name).is_file()
+        return _from_here(name).is_file() or (EXAMPLES / name).is_file()
     except (OSError, ValueError):  # longer than the system allows, or with a zero byte
         return False
 
@@ -27,17 +28,22 @@ def is_file(name: str) -> bool:
 def find_file(name: str, place: str) -> Path:
     """Absolute path of the file `name` of the setting `place`; UserError with a proposal when missing."""
     if not is_file(name):
-        raise UserError(f"{place}: no such file: {' '.join(name.split())}{_proposal(name)}")
-    path = Path(name).expanduser()
+        raise UserError(f"{place}: no such file: {' '.join(name.split())}{_proposal(name, place)}")
+    path = _from_here(name)
     return path.resolve() if path.is_file() else (EXAMPLES / name).resolve()
 
 
-def _proposal(name: str) -> str:
-    path = Path(name).expanduser()
+def _from_here(name: str) -> Path:
+    """Path of `name` from where the user stands; ~ is the user's home, unless that is not known."""
+    return Path(os.path.expanduser(name))  # noqa: PTH111  Path.expanduser fails for a file named ~x.png
+
+
+def _proposal(name: str, place: str) -> str:
+    path = _from_here(name)
     try:
         beside = [str(path.parent / file.name) for file in path.parent.iterdir() if file.is_file()]
     except (OSError, ValueError):
         beside = []
     close = get_close_matches(str(path), beside, n=1) or get_close_matches(path.name, examples(), n=1)
     hint = f"; did you mean {close[0]!r}?" if close else ""
-    return f"{hint} (examples: {', '.join(examples())})"
+    return f"{hint} (examples: {', '.join(examples())})" if place == "image" else hint

@@ -104,9 +104,10 @@ def _next_commands(console: Console, head: str, page: Path, where: str) -> None:
 
 
 def _table(rows: Sequence[Mapping[str, float | int | str]]) -> Table:
-    table = Table(box=None, pad_edge=False, header_style="bold")
+    table = Table(box=None, pad_edge=False, padding=(0, 1, 0, 0), header_style="bold")
     for name in rows[0]:
-        table.add_column(name.replace("_", " "), justify="right")
+        words = name.replace("_", " ")
+        table.add_column(words, justify="right", min_width=max(map(len, words.split())))
     for row in rows:
         table.add_row(*(_shown(value) for value in row.values()))
     return table

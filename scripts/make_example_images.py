@@ -10,12 +10,12 @@ from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
-from PIL import Image, ImageDraw
 from painting.broadleaf import Species, paint_broadleaf
 from painting.canvas import OVERSAMPLING, blank, dab, shrunk, tone
 from painting.conifer import paint_conifer
 from painting.landscape import GRASS, Scene, paint, throw_shadow
 from painting.pencil import draw_tree
+from PIL import Image, ImageDraw
 
 WIDTH, HEIGHT = 600, 800
 COLOURS = 256
@@ -51,7 +51,7 @@ def main() -> None:
 
 def pine(rng: np.random.Generator) -> Image.Image:
     """A conifer on a lawn before hazy hills."""
-    scene = Scene(WIDTH, HEIGHT, 0.80, 0.55, ((150, 176, 196), (118, 150, 160), (92, 128, 104)))
+    scene = Scene(WIDTH, HEIGHT, 0.80, 0.55, ((168, 190, 208), (146, 174, 192), (126, 156, 172)))
     land = paint(scene, rng)
     tree = blank(WIDTH, HEIGHT)
     x, foot = 0.5 * tree.width, 0.915 * tree.height
@@ -62,7 +62,7 @@ def pine(rng: np.random.Generator) -> Image.Image:
 
 def oak(rng: np.random.Generator) -> Image.Image:
     """A broad deciduous tree on a meadow under summer clouds."""
-    scene = Scene(WIDTH, HEIGHT, 0.78, 0.75, ((158, 180, 200), (124, 152, 152), (104, 136, 92)))
+    scene = Scene(WIDTH, HEIGHT, 0.78, 0.75, ((172, 192, 210), (150, 176, 190), (132, 160, 170)))
     land = paint(scene, rng)
     tree = blank(WIDTH, HEIGHT)
     x, foot = 0.5 * tree.width, 0.90 * tree.height
@@ -108,7 +108,11 @@ def finished(land: Image.Image, tree: Image.Image, x: float, foot: float, rng: n
 
 
 PICTURES: dict[str, Callable[[np.random.Generator], Image.Image]] = {
-    "pine": pine, "oak": oak, "cutout": cutout, "silhouette": silhouette, "sketch": sketch,
+    "pine": pine,
+    "oak": oak,
+    "cutout": cutout,
+    "silhouette": silhouette,
+    "sketch": sketch,
 }
 
 if __name__ == "__main__":

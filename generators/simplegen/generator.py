@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -10,9 +11,13 @@ from typing import ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from generators.simplegen.growth import STEM_FIELDS, children_of, grow_leaves, grow_level
-from generators.simplegen.parameters import FIXED, NEUTRAL, SPACE
+from generators.simplegen.growth import STEM_FIELDS, Crown, LevelRule, Wood, children_of, grow_level
+from generators.simplegen.leaves import LeafRule, Leaves, grow_leaves
+from generators.simplegen.parameters import FIXED, LEVELS, NEUTRAL, SPACE
 from treefit.plant import Budget, ParameterSpace, Plant, Value, Values
+
+SHORTEST = 0.002  # of the trunk; shorter branches do not grow
+TRUNK_WOBBLE = 0.3  # the trunk is that much straighter than its branches
 
 
 @dataclass(frozen=True)
@@ -42,85 +47,63 @@ class SimpleGen:
     def __call__(self, values: Values, seed: int, budget: Budget) -> Plant:
         """Plant grown from `values` by name; its size is branch_len_0 metres of trunk."""
         counts = [int(values[f"branch_count_{level}"]) for level in range(int(values["levels"]))]
-        starts = [float(values[f"branching_start_{level}"]) for level in range(len(counts))]
-        whorls = [int(values["whorl"])] + [1] * (len(counts) - 1)
+        rules = [_level_rule(values, level, count, len(counts)) for level, count in enumerate(counts)]
         stems = [1]
-        for level in range(len(counts) - 1):
-            stems.append(stems[-1] * children_of(counts[level], starts[level], whorls[level]))
-        capacity = min(1 + sum(n * c for n, c in zip(stems, counts, strict=True)), budget.vertices)
-        return _Growth(values, counts, starts, whorls, stems, capacity).grow(seed, budget.leaves)
+        for rule in rules[:-1]:
+            stems.append(stems[-1] * children_of(rule.count, rule.start, rule.whorl))
+        capacity = min(1 + sum(n * count for n, count in zip(stems, counts, strict=True)), budget.vertices)
+        wood = Wood(np.zeros((3, capacity), np.float32), np.empty(capacity, np.float32), np.empty(capacity, np.int32),
+                    np.empty(capacity, np.int32))  # fmt: skip
+        first, n, keys, cut = _grow_branches(values, rules, stems, wood, seed)
+        leaf_rule = _leaf_rule(values, rules[-1], first)
+        room = 0 if cut else min((n - first) * leaf_rule.number, budget.leaves)
+        leaves = Leaves(*(np.empty((rows, room), np.float32) for rows in (3, 3, 3, 2)))
+        k, leaves_cut = grow_leaves(leaf_rule, keys, wood.xyz, wood.parent, n, leaves)
+        return Plant(wood.xyz[:, :n].T, wood.radius[:n], wood.parent[:n], wood.level[:n],
+                     *(array[:, :k].T for array in leaves), cut=cut or leaves_cut)  # fmt: skip
 
 
-class _Growth:
-    """The arrays of one plant while it grows."""
-
-    def __init__(
-        self, values: Values, counts: list[int], starts: list[float], whorls: list[int], stems: list[int], capacity: int
-    ) -> None:
-        self.values, self.counts, self.starts, self.whorls, self.stems = values, counts, starts, whorls, stems
-        self.xyz = np.zeros((3, capacity), np.float32)
-        self.radius = np.zeros(capacity, np.float32)
-        self.parent = np.full(capacity, -1, np.int32)
-        self.level = np.zeros(capacity, np.int32)
-
-    def grow(self, seed: int, max_leaves: int) -> Plant:
-        """Grow level by level, then the leaves on the last one."""
-        trunk = self._number("branch_len_0")
-        lean = self._number("lean")
-        self.radius[0] = trunk * self._number("branch_r_0")
-        front = np.zeros((STEM_FIELDS, 1), np.float32)
-        front[3:8, 0] = np.sin(lean), 0.0, np.cos(lean), trunk, self.radius[0]
-        keys = np.array([seed], np.uint64)
-        n, n_stems, cut, first = 1, 1, False, 1
-        for level in range(len(self.counts)):
-            first = n
-            n, n_stems, cut, front, keys = self._grow_level(level, n, n_stems, front, keys)
-            if cut:
-                break
-        return self._with_leaves(first, n, keys, trunk, 0 if cut else max_leaves, cut)
-
-    def _grow_level(
-        self, level: int, n: int, n_stems: int, front: NDArray[np.float32], keys: NDArray[np.uint64]
-    ) -> tuple[int, int, bool, NDArray[np.float32], NDArray[np.uint64]]:
-        last = level == len(self.counts) - 1
-        child = min(level + 1, 3)
-        room = 1 if last else min(self.stems[level + 1], len(self.radius))
+def _grow_branches(
+    values: Values, rules: list[LevelRule], stems: list[int], wood: Wood, seed: int
+) -> tuple[int, int, NDArray[np.uint64], bool]:
+    """Grow all levels; return the first vertex of the last one, the count of vertices, its keys, whether cut."""
+    trunk, lean, crown = float(values["branch_len_0"]), float(values["lean"]), _crown(values)
+    wood.radius[0], wood.parent[0], wood.level[0] = trunk * float(values["branch_r_0"]), -1, 0
+    front, keys = np.zeros((STEM_FIELDS, 1), np.float32), np.array([seed], np.uint64)
+    front[3:8, 0] = math.sin(lean), 0.0, math.cos(lean), trunk, wood.radius[0]
+    n, n_stems, first = 1, 1, 1
+    for rule in rules:
+        room = 1 if rule.last else min(stems[rule.level + 1], len(wood.radius))
         next_front, next_keys = np.empty((STEM_FIELDS, room), np.float32), np.empty(room, np.uint64)
-        trunk = level == 0
-        n, m, cut = grow_level(
-            level, last, front, keys, n_stems, self._number(f"branch_len_{child}"), self._number(f"branch_angle_{level}"),
-            self._number("branch_angle_change") if trunk else 0.0, self.counts[level], self.starts[level],
-            self.whorls[level], self._number(f"branch_r_{child}"), self._number("taper"),
-            0.0 if trunk else self._number("droop_1" if level == 1 else "droop_2"),
-            self._number("trunk_bend") if trunk else 0.0, self._number("wobble") * (0.3 if trunk else 1.0),
-            self._crown(), self._number("asymmetry") if trunk else 0.0, self._number("length_variation"),
-            0.0 if trunk else self._number("shortening"), 0.002 * self._number("branch_len_0"), self.xyz, self.radius,
-            self.parent, self.level, n, len(self.radius), next_front, next_keys,
-        )  # fmt: skip
-        return n, m, cut, (front if last else next_front), (keys if last else next_keys)
+        first = n
+        n, m, cut = grow_level(rule, crown, front, keys, n_stems, wood, n, next_front, next_keys)
+        if cut or rule.last:
+            break
+        front, keys, n_stems = next_front, next_keys, m
+    return first, n, keys, cut
 
-    def _with_leaves(
-        self, first: int, n: int, keys: NDArray[np.uint64], trunk: float, max_leaves: int, cut: bool
-    ) -> Plant:
-        last = len(self.counts) - 1
-        number = int(self.values["leaf_number"])
-        room = min((n - first) * number, max_leaves)
-        position, axis, normal = (np.empty((3, room), np.float32) for _ in range(3))
-        size = np.empty((2, room), np.float32)
-        length = self._number("leaf_size") * trunk
-        k, leaves_cut = grow_leaves(
-            first, n, self.xyz, self.parent, keys, self.counts[last], self.starts[last],
-            self._number(f"branch_angle_{last}"), self._number("leaves_count"), number, length,
-            length * self._number("leaf_width"), position, axis, normal, size, room,
-        ) if room else (0, False)  # fmt: skip
-        return Plant(
-            self.xyz[:, :n].T, self.radius[:n], self.parent[:n], self.level[:n], position[:, :k].T, axis[:, :k].T,
-            normal[:, :k].T, size[:, :k].T, cut=cut or leaves_cut,
-        )  # fmt: skip
 
-    def _crown(self) -> NDArray[np.float64]:
-        names = ("crown_bottom", "crown_peak", "crown_top", "crown_power_low", "crown_power_high")
-        return np.array([self._number(name) for name in names])
+def _level_rule(values: Values, level: int, count: int, levels: int) -> LevelRule:
+    number = {name: float(value) for name, value in values.items()}
+    child, trunk = min(level + 1, LEVELS - 1), level == 0
+    return LevelRule(
+        level=level, last=level == levels - 1, count=count, start=number[f"branching_start_{level}"],
+        whorl=int(number["whorl"]) if trunk else 1, angle=number[f"branch_angle_{level}"],
+        length=number[f"branch_len_{child}"], radius=number[f"branch_r_{child}"], taper=number["taper"],
+        upwards=0.0 if trunk else number["droop_1" if level == 1 else "droop_2"],
+        rightwards=number["trunk_bend"] if trunk else 0.0, wobble=number["wobble"] * (TRUNK_WOBBLE if trunk else 1.0),
+        variation=number["length_variation"], shortening=0.0 if trunk else number["shortening"],
+        shortest=SHORTEST * number["branch_len_0"],
+    )  # fmt: skip
 
-    def _number(self, name: str) -> float:
-        return float(self.values[name])
+
+def _crown(values: Values) -> Crown:
+    names = ("bottom", "peak", "top", "power_low", "power_high")
+    return Crown(*(float(values[f"crown_{name}"]) for name in names), float(values["branch_angle_change"]),
+                 float(values["asymmetry"]))  # fmt: skip
+
+
+def _leaf_rule(values: Values, twig: LevelRule, first: int) -> LeafRule:
+    length = float(values["leaf_size"]) * float(values["branch_len_0"])
+    return LeafRule(first, twig.count, twig.start, twig.angle, float(values["leaves_count"]),
+                    int(values["leaf_number"]), length, length * float(values["leaf_width"]))  # fmt: skip

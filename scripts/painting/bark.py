@@ -32,7 +32,12 @@ def paint_limb(draw: ImageDraw.ImageDraw, limb: list[Point], rng: np.random.Gene
             light = 0.52 + 0.38 * place - 0.18 * place**2 - dim + furrow[strip]
             corners = [
                 tuple(fine[row, :2] + across[row] * fine[row, 2] * edge)
-                for row, edge in ((base, edges[strip]), (base + 1, edges[strip]), (base + 1, edges[strip + 1]), (base, edges[strip + 1]))
+                for row, edge in (
+                    (base, edges[strip]),
+                    (base + 1, edges[strip]),
+                    (base + 1, edges[strip + 1]),
+                    (base, edges[strip + 1]),
+                )
             ]
             draw.polygon(corners, fill=(*tone(BARK, float(np.clip(light, 0, 1)), rng, 0.015), 255))
 

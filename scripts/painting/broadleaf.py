@@ -83,7 +83,15 @@ def _paint_lobe(
         light = 0.40 + 0.40 * float(offset @ SUN) + 0.24 * float(outward @ SUN) + rng.normal(0, 0.06)
         colour = tone(list(species.greens), min(max(light, 0), 1), rng, 0.05)
         long = species.leaf * tall * rng.uniform(0.7, 1.3)
-        dab(draw, x + place[0] * tall, foot - place[1] * tall, long, 0.62 * long, rng.uniform(0, math.pi), (*colour, 255))
+        dab(
+            draw,
+            x + place[0] * tall,
+            foot - place[1] * tall,
+            long,
+            0.62 * long,
+            rng.uniform(0, math.pi),
+            (*colour, 255),
+        )
 
 
 def _ball(count: int, rng: np.random.Generator) -> Points:

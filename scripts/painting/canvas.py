@@ -43,15 +43,24 @@ def ramp(position: NDArray[np.float64], stops: list[tuple[float, Colour]]) -> Li
     return np.stack([np.interp(position, places, [colour[c] for _, colour in stops]) for c in range(3)], axis=-1)
 
 
-def tone(stops: list[tuple[float, Colour]], light: float, rng: np.random.Generator, jitter: float) -> tuple[int, int, int]:
+def tone(
+    stops: list[tuple[float, Colour]], light: float, rng: np.random.Generator, jitter: float
+) -> tuple[int, int, int]:
     """One colour for `light` in 0..1 along `stops`, a little changed each time, as paint is."""
     colour = ramp(np.array(light), stops) * (1 + rng.normal(0, jitter)) + rng.normal(0, 60 * jitter, 3) * (1, 0.5, 0.4)
     red, green, blue = np.clip(colour, 0, 255).astype(int)
     return int(red), int(green), int(blue)
 
 
-def dab(draw: ImageDraw.ImageDraw, x: float, y: float, long: float, wide: float, turn: float, colour: tuple[int, ...]) -> None:
+def dab(
+    draw: ImageDraw.ImageDraw, x: float, y: float, long: float, wide: float, turn: float, colour: tuple[int, ...]
+) -> None:
     """A leaf: a lens of the given length and width, turned by `turn` radians."""
-    along, across = (math.cos(turn) * long / 2, math.sin(turn) * long / 2), (-math.sin(turn) * wide / 2, math.cos(turn) * wide / 2)
+    along, across = (
+        (math.cos(turn) * long / 2, math.sin(turn) * long / 2),
+        (-math.sin(turn) * wide / 2, math.cos(turn) * wide / 2),
+    )
     corners = [(1, 0), (0.4, 0.9), (-0.4, 0.9), (-1, 0), (-0.4, -0.9), (0.4, -0.9)]
-    draw.polygon([(x + a * along[0] + b * across[0], y + a * along[1] + b * across[1]) for a, b in corners], fill=colour)
+    draw.polygon(
+        [(x + a * along[0] + b * across[0], y + a * along[1] + b * across[1]) for a, b in corners], fill=colour
+    )

@@ -17,7 +17,7 @@ FAR, MIDDLE, NEAR = 0, 1, 2
 
 @dataclass(frozen=True)
 class Bough:
-    """A branch: height on the tree 0..1, direction seen from above (0 right, half a turn left, -z near), length in pixels."""
+    """A branch: height on the tree 0..1, direction seen from above in radians (0 is right), length in pixels."""
 
     height: float
     azimuth: float
@@ -38,7 +38,10 @@ def paint_conifer(layer: Image.Image, x: float, foot: float, tall: float, rng: n
     """Paint a conifer `tall` pixels high with its foot at (x, foot) on a transparent layer."""
     draw = ImageDraw.Draw(layer)
     boughs = _boughs(tall, rng)
-    trunk = [(x + math.sin(3 * t) * 0.004 * tall, foot - t * 0.97 * tall, 0.019 * tall * (1 - t) + 2) for t in np.linspace(0, 1, 40)]
+    trunk = [
+        (x + math.sin(3 * t) * 0.004 * tall, foot - t * 0.97 * tall, 0.019 * tall * (1 - t) + 2)
+        for t in np.linspace(0, 1, 40)
+    ]
     for part in (FAR, MIDDLE, NEAR):
         if part == MIDDLE:
             paint_limb(draw, trunk, rng)
@@ -68,7 +71,15 @@ def _fill_heart(draw: ImageDraw.ImageDraw, x: float, foot: float, tall: float, r
         up = 0.165 + 0.79 * rng.uniform() ** 1.4
         reach = 0.17 * tall * (1 - up) ** 0.9
         angle = rng.uniform(0, 2 * math.pi)
-        _needle(draw, x + np.clip(rng.normal(0, 0.45), -0.9, 0.9) * reach, foot - up * tall, angle, 20, rng.uniform(0.0, 0.3), rng)
+        _needle(
+            draw,
+            x + np.clip(rng.normal(0, 0.45), -0.9, 0.9) * reach,
+            foot - up * tall,
+            angle,
+            20,
+            rng.uniform(0.0, 0.3),
+            rng,
+        )
 
 
 def _paint_bough(draw: ImageDraw.ImageDraw, bough: Bough, x: float, y: float, rng: np.random.Generator) -> None:
@@ -80,20 +91,30 @@ def _paint_bough(draw: ImageDraw.ImageDraw, bough: Bough, x: float, y: float, rn
         # out, down by its weight, and up again at the tip
         down = bough.length * (droop * s - 0.24 * s**3 + 0.14 * bough.nearness * s)
         u, v = x + sideways * bough.length * s, y + down - 0.06 * bough.length
-        light = (0.15 + 0.85 * s**1.2) * side_light + (0.10 if bough.layer == NEAR else 0) - (0.16 if bough.layer == FAR else 0)
+        light = (
+            (0.15 + 0.85 * s**1.2) * side_light
+            + (0.10 if bough.layer == NEAR else 0)
+            - (0.16 if bough.layer == FAR else 0)
+        )
         heading = math.atan2(0.35, sideways if abs(sideways) > 0.15 else 0.15 * (1 if sideways >= 0 else -1))
         twig = (0.16 * bough.length * (1.15 - s) + 4 + min(5, 0.1 * bough.length)) * rng.uniform(0.7, 1.2)
         for side in (-1, 1):
-            _paint_twig(draw, u, v, heading + side * rng.uniform(0.35, 1.0), twig, light - 0.14 * side * np.sign(sideways), rng)
+            _paint_twig(
+                draw, u, v, heading + side * rng.uniform(0.35, 1.0), twig, light - 0.14 * side * np.sign(sideways), rng
+            )
 
 
-def _paint_twig(draw: ImageDraw.ImageDraw, x: float, y: float, turn: float, long: float, light: float, rng: np.random.Generator) -> None:
+def _paint_twig(
+    draw: ImageDraw.ImageDraw, x: float, y: float, turn: float, long: float, light: float, rng: np.random.Generator
+) -> None:
     for along in np.arange(0, long, 6):
         u, v = x + math.cos(turn) * along, y + math.sin(turn) * along * 0.8
         _needle(draw, u, v, turn + rng.normal(0, 0.55), 13, light + rng.normal(0, 0.10), rng)
 
 
-def _needle(draw: ImageDraw.ImageDraw, x: float, y: float, turn: float, long: float, light: float, rng: np.random.Generator) -> None:
+def _needle(
+    draw: ImageDraw.ImageDraw, x: float, y: float, turn: float, long: float, light: float, rng: np.random.Generator
+) -> None:
     reach = long * rng.uniform(0.6, 1.2)
     end = (x + math.cos(turn) * reach, y + math.sin(turn) * reach)
     draw.line((x, y, *end), fill=(*tone(NEEDLES, min(max(light, 0), 1), rng, 0.05), 255), width=3)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -49,7 +50,9 @@ def _trunk(draw: ImageDraw.ImageDraw, x: float, foot: float, top: float, half: f
         edge = np.stack((x + lean + side * width, y), axis=1)
         _stroke(draw, edge, 5, rng)
         _stroke(draw, edge + rng.normal(0, 1.5, edge.shape), 3, rng)
-    ground = np.stack((np.linspace(x - 1.8 * half, x + 1.8 * half, 20), foot + 7 * np.sin(np.linspace(0, math.pi, 20))), axis=1)
+    ground = np.stack(
+        (np.linspace(x - 1.8 * half, x + 1.8 * half, 20), foot + 7 * np.sin(np.linspace(0, math.pi, 20))), axis=1
+    )
     _stroke(draw, ground, 4, rng)
     for _ in range(46):  # bark, denser on the shaded side
         place = 1 - 1.8 * rng.uniform() ** 2
@@ -65,9 +68,11 @@ def _leaves(draw: ImageDraw.ImageDraw, x: float, y: float, wide: float, tall: fl
         u, v, size = x + wide * reach * math.cos(angle), y + tall * reach * math.sin(angle), rng.uniform(20, 36)
         lean, bumps = rng.normal(0, 0.35), int(rng.integers(2, 5))
         turns = np.linspace(1.05 * math.pi, 1.95 * math.pi, 10)
-        bundle = [np.stack((size * (i + 0.5 * np.cos(turns)), 0.55 * size * np.sin(turns)), axis=1) for i in range(bumps)]
+        bundle = [
+            np.stack((size * (i + 0.5 * np.cos(turns)), 0.55 * size * np.sin(turns)), axis=1) for i in range(bumps)
+        ]
         line = np.vstack(bundle) @ np.array([[math.cos(lean), math.sin(lean)], [-math.sin(lean), math.cos(lean)]])
-        _stroke(draw, line + (u, v), 3, rng)
+        _stroke(draw, line + np.array([u, v]), 3, rng)
     for _ in range(210):
         angle, reach = rng.uniform(-0.6, 1.9), rng.uniform(0.6, 0.99)
         u, v, long = x + wide * reach * math.cos(angle), y + tall * reach * math.sin(angle), rng.uniform(26, 60)
@@ -80,10 +85,13 @@ def _stroke(draw: ImageDraw.ImageDraw, line: Line, width: int, rng: np.random.Ge
     wobble = np.cumsum(rng.normal(0, 0.35, line.shape), axis=0)
     shaky = line + wobble - np.linspace(0, 1, len(line))[:, None] * wobble[-1]
     pressure = GRAPHITE + 16 * np.sin(np.arange(len(line)) * 0.23 + rng.uniform(0, 6)) + (24 if width <= 2 else 0)
-    for (start, end), grey in zip(zip(shaky[:-1], shaky[1:], strict=True), pressure[:-1], strict=True):
+    for (start, end), grey in zip(pairwise(shaky), pressure[:-1], strict=True):
         draw.line((*start, *end), fill=(int(grey), int(grey), int(grey + 3)), width=width)
         radius = width / 2 - 0.5
-        draw.ellipse((end[0] - radius, end[1] - radius, end[0] + radius, end[1] + radius), fill=(int(grey), int(grey), int(grey + 3)))
+        draw.ellipse(
+            (end[0] - radius, end[1] - radius, end[0] + radius, end[1] + radius),
+            fill=(int(grey), int(grey), int(grey + 3)),
+        )
 
 
 def _grain(image: Image.Image, rng: np.random.Generator) -> Image.Image:

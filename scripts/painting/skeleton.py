@@ -60,7 +60,11 @@ def _colonise(places: Points, bare: float, rng: np.random.Generator) -> tuple[Po
             break
         for node in np.unique(nearest):
             pull = free[nearest == node] - points[node]
-            way = (pull / np.linalg.norm(pull, axis=1, keepdims=True)).mean(axis=0) + rng.normal(0, 0.12, 3) + (0, 0.10, 0)
+            way = (
+                (pull / np.linalg.norm(pull, axis=1, keepdims=True)).mean(axis=0)
+                + rng.normal(0, 0.12, 3)
+                + (0, 0.10, 0)
+            )
             points.append(points[node] + STEP * way / np.linalg.norm(way))
             parents.append(int(node))
     return np.array(points), parents

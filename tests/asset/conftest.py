@@ -16,12 +16,12 @@ def make_tree(seed: int = 0, branches: int = 36, twigs: int = 10, leaves: int = 
     stems.append(limbs)
     count += len(limbs["radius"])
     start = count - len(limbs["radius"])
-    twig_seats = np.sort(rng.uniform(0.2, 1, branches * twigs))
+    twig_seats = np.sort(rng.uniform(0, 1, branches * twigs))
     stems.append(_sprout(rng, limbs, start, twig_seats, 2, 4, 1.1, count))
     graph = {key: np.concatenate([stem[key] for stem in stems]) for key in trunk}
     foot = len(graph["radius"]) - len(stems[-1]["radius"])
     seat = rng.integers(foot, len(graph["radius"]), leaves)
-    axis = _unit(rng.normal(size=(leaves, 3)) + [0, 0, -0.2])
+    axis = _unit(rng.normal((0, 0, -0.2), size=(leaves, 3)))
     normal = _unit(np.cross(axis, np.cross(rng.normal(size=(leaves, 3)) * 0.6 + [0, 0, 1], axis)))
     length = rng.uniform(0.10, 0.18, leaves)
     plant = Plant(

@@ -71,21 +71,21 @@ def test_rule_of_a_plain_dataclass_is_passed_on() -> None:
 
 @pytest.mark.parametrize("target", ["os.system", "builtins.eval", "treefitx.Bad", "subprocess.run"])
 def test_foreign_code_is_refused(target: str) -> None:
-    with pytest.raises(UserError, match="view: _target_ must start with one of treefit., generators."):
+    with pytest.raises(UserError, match=r"view: _target_ must start with one of treefit., generators."):
         build(OmegaConf.create({"_target_": target}), "view")
 
 
 def test_foreign_code_is_refused_inside_a_group_as_well() -> None:
-    with pytest.raises(UserError, match="got 'os.system'"):
+    with pytest.raises(UserError, match=r"got 'os.system'"):
         build(node(steps=[{"_target_": "os.system", "command": "true"}]), "optimizer")
 
 
 def test_target_that_is_missing_is_one_line() -> None:
-    with pytest.raises(UserError, match="^view: cannot use _target_ 'treefit.nothing.There'") as caught:
+    with pytest.raises(UserError, match=r"^view: cannot use _target_ 'treefit.nothing.There'") as caught:
         build(OmegaConf.create({"_target_": "treefit.nothing.There"}), "view")
     assert "\n" not in str(caught.value)
 
 
 def test_what_is_no_group_is_an_error() -> None:
-    with pytest.raises(UserError, match="view: needs a group with a _target_"):
+    with pytest.raises(UserError, match=r"view: needs a group with a _target_"):
         build(OmegaConf.create({"a": 1}), "view")

@@ -33,7 +33,9 @@ WRONG = {
     "mask=file": "mask.path: must be given",
     "seed": "'seed': write name=value",
     "values={a": "values: cannot read '{a'",
-    "=": "cannot read",
+    "=": "'=': write name=value",
+    "=3": "'=3': write name=value",
+    "a b=3": "a b: cannot read '3'",
     "seed=1,2": "seed: '1,2' means several runs; add -m",
     "view._target_=os.system": "view: _target_ must start with one of",
     "tracking.patience=-1": "tracking.patience: must be a number of seconds greater than 0, got -1",
@@ -49,26 +51,26 @@ def test_wrong_setting_is_one_clear_line(setting: str) -> None:
 
 
 def test_picture_must_be_given() -> None:
-    with pytest.raises(UserError, match="image: which picture"):
+    with pytest.raises(UserError, match=r"image: which picture\?"):
         check([], sweep=False)
 
 
 def test_every_run_of_a_sweep_is_checked() -> None:
     check(["image=tree.png", "seed=1,2", "generator=simplegen"], sweep=True)
-    with pytest.raises(UserError, match="seed: must be greater"):
+    with pytest.raises(UserError, match=r"seed: must be greater"):
         check(["image=tree.png", "seed=1,2,-3"], sweep=True)
-    with pytest.raises(UserError, match="no option 'simplegn'"):
+    with pytest.raises(UserError, match=r"no option 'simplegn'"):
         check(["image=tree.png", "generator=simplegen,simplegn"], sweep=True)
 
 
 def test_group_that_the_task_does_not_need_is_checked_when_it_is_set() -> None:
-    with pytest.raises(UserError, match="optimizer.evaluations"):
+    with pytest.raises(UserError, match=r"optimizer.evaluations"):
         check(["task=mask", "image=tree.png", "optimizer.evaluations=-5"], sweep=False)
 
 
 def test_names_alone_can_be_checked() -> None:
     check_names([], sweep=False)
-    with pytest.raises(UserError, match="no option 'simplegn'"):
+    with pytest.raises(UserError, match=r"no option 'simplegn'"):
         check_names(["generator=simplegn"], sweep=False)
 
 
@@ -86,10 +88,7 @@ OPTIONS = sorted(
 
 @pytest.mark.parametrize("option", OPTIONS)
 def test_every_option_of_every_group_is_right(option: str) -> None:
-    try:
-        check(["image=tree.png", option], sweep=False)
-    except UserError as error:
-        assert "OpenGL" in str(error), error  # the view that needs system libraries says so
+    check(["image=tree.png", option], sweep=False)
 
 
 def test_mask_options_state_the_defaults_of_their_classes() -> None:

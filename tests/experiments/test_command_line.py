@@ -77,7 +77,7 @@ def test_pattern_without_files_is_an_error(here: Path) -> None:
 
 
 def test_several_pictures_without_sweep_are_an_error(here: Path) -> None:
-    with pytest.raises(UserError, match="image: 'a.png,b.png' means 2 files; add -m"):
+    with pytest.raises(UserError, match=r"image: 'a.png,b.png' means 2 files; add -m"):
         prepare(["image=a.png,b.png"])
 
 
@@ -85,26 +85,32 @@ def test_split_prefers_the_longest_name_that_exists() -> None:
     assert split_names("a,b,c", {"a,b", "a"}.__contains__) == ["a,b", "c"]
 
 
-def test_resume_sets_the_run_folder(here: Path) -> None:
-    (here / "old run").mkdir()
-    (here / "old run" / "config.yaml").touch()
-    prepared = prepare(["resume=old run", "tracking=none"])
-    folder = str((here / "old run").resolve())
-    assert prepared == ["tracking=none", f"resume='{folder}'", f"hydra.run.dir='{folder}'"]
+@pytest.mark.parametrize("name", ["old", "old run", "it's (2)"])
+def test_resume_sets_the_run_folder(here: Path, name: str) -> None:
+    folder = here / name
+    folder.mkdir()
+    (folder / "config.yaml").touch()
+    tracking, resume, run = prepare([f"resume={name}", "tracking=none"])
+    assert tracking == "tracking=none"
+    assert values(resume) == values(run) == [str(folder.resolve())]
+
+
+def test_no_resume_can_be_said(here: Path) -> None:
+    assert prepare(["resume=null", "seed=3"]) == ["resume=null", "seed=3"]
 
 
 @pytest.mark.parametrize("setting", ["seed=3", "optimizer.evaluations=9", "generator=simplegen", "hydra.run.dir=x"])
 def test_resume_refuses_what_would_change_the_search(here: Path, setting: str) -> None:
     (here / "config.yaml").touch()
-    with pytest.raises(UserError, match="resume: the run keeps its settings, leave out"):
+    with pytest.raises(UserError, match=r"resume: the run keeps its settings, leave out"):
         prepare(["resume=.", setting])
 
 
 def test_resume_of_a_folder_without_a_run_is_an_error(here: Path) -> None:
-    with pytest.raises(UserError, match="is not the folder of a run"):
+    with pytest.raises(UserError, match=r"is not the folder of a run"):
         prepare(["resume=."])
 
 
 def test_resume_of_several_runs_is_an_error(here: Path) -> None:
-    with pytest.raises(UserError, match="resume: goes on with one run"):
+    with pytest.raises(UserError, match=r"resume: goes on with one run"):
         prepare(["-m", "resume=."])

@@ -7,6 +7,7 @@ import pytest
 from PIL import Image
 
 from treefit.tracking import MlflowTracker, NoTracker, Tracker
+from treefit.tracking.local_store import LocalStore
 
 
 @pytest.fixture(scope="module")
@@ -77,6 +78,13 @@ def test_server_that_is_down_is_said_once_and_keeps_nobody_waiting(
 def test_wrong_settings_are_refused(settings: dict[str, object], line: str) -> None:
     with pytest.raises(ValueError, match=line):
         MlflowTracker(**settings)
+
+
+def test_files_lie_beside_the_database_wherever_it_is(tmp_path: Path) -> None:
+    store = LocalStore(tmp_path / "my.db")
+    assert store.uri == f"sqlite:///{tmp_path}/my.db"
+    assert store.artifacts == f"file://{tmp_path}/mlartifacts"
+    assert store.lock == tmp_path / "my.db.lock"
 
 
 def test_tracker_that_never_started_can_finish() -> None:

@@ -1,1 +1,13 @@
-"""To be written."""
+"""A plant becomes files."""
+
+from treefit.asset.gallery import GalleryEntry, gallery
+from treefit.asset.glb import MeshCounts, write_glb
+from treefit.asset.picture import picture
+from treefit.asset.preset import Preset, read_preset, write_preset
+from treefit.asset.settings import AssetSettings
+from treefit.asset.viewer import write_viewer
+
+__all__ = [
+    "AssetSettings", "GalleryEntry", "MeshCounts", "Preset",
+    "gallery", "picture", "read_preset", "write_glb", "write_preset", "write_viewer",
+]  # fmt: skip

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import trimesh
@@ -11,8 +12,12 @@ from numpy.typing import NDArray
 from trimesh.visual.material import PBRMaterial
 
 from treefit.asset.mesh import Mesh, branch_meshes, leaf_mesh
-from treefit.asset.settings import AssetSettings, Colour
+from treefit.asset.paint import to_linear
+from treefit.asset.settings import AssetSettings
 from treefit.plant import Plant, check_plant
+
+
+_ATTRIBUTES, _INDICES = 34962, 34963  # OpenGL's names of buffer kinds
 
 
 @dataclass(frozen=True)
@@ -36,7 +41,7 @@ def write_glb(plant: Plant, path: Path | str, settings: AssetSettings) -> MeshCo
     for name, mesh in meshes.items():
         _check(name, mesh)
         scene.add_geometry(_geometry(name, mesh, settings), node_name=name, geom_name=name)
-    data: bytes = scene.export(file_type="glb", include_normals=True, unitize_normals=False)
+    data: bytes = scene.export(file_type="glb", include_normals=True, unitize_normals=False, tree_postprocessor=_finish)
     Path(path).write_bytes(data)
     return MeshCounts(
         vertices=sum(len(mesh.vertices) for mesh in meshes.values()),
@@ -62,7 +67,10 @@ def _check(name: str, mesh: Mesh) -> None:
 def _geometry(name: str, mesh: Mesh, settings: AssetSettings) -> trimesh.Trimesh:
     material = PBRMaterial(
         name=name,
-        baseColorFactor=_linear(settings.leaf if name == "leaves" else settings.bark),
+        baseColorFactor=[
+            *to_linear(settings.leaf if name == "leaves" else settings.bark),
+            1.0,
+        ],  # the format wants linear
         metallicFactor=0.0,
         roughnessFactor=0.75 if name == "leaves" else 0.95,
         doubleSided=name == "leaves",
@@ -81,8 +89,12 @@ def _y_up(vectors: NDArray[np.float32]) -> NDArray[np.float32]:
     return np.column_stack([vectors[:, 0], vectors[:, 2], -vectors[:, 1]])
 
 
-def _linear(colour: Colour) -> list[float]:
-    """Linear (r, g, b, a) in [0, 1] of an sRGB colour: glTF's factors are linear."""
-    srgb = np.array(colour) / 255
-    linear = np.where(srgb <= 0.04045, srgb / 12.92, ((srgb + 0.055) / 1.055) ** 2.4)
-    return [*(float(channel) for channel in linear), 1.0]
+def _finish(tree: dict[str, Any]) -> None:
+    """Say in the file's JSON who wrote it and what each buffer view is for (the GPU wants to know)."""
+    tree["asset"]["generator"] = "treefit"
+    accessors, views = tree["accessors"], tree["bufferViews"]
+    for mesh in tree["meshes"]:
+        for primitive in mesh["primitives"]:
+            views[accessors[primitive["indices"]]["bufferView"]]["target"] = _INDICES
+            for accessor in primitive["attributes"].values():
+                views[accessors[accessor]["bufferView"]]["target"] = _ATTRIBUTES

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Literal, get_args
 
 import numpy as np
@@ -49,8 +50,8 @@ def leaf_card(shape: Shape, fold: float = 0.0) -> Card:
     uv = np.column_stack([0.5 + x / (2 * np.abs(x).max()), y])
     right = [2 + i for i in range(n)] + [1]
     left = [2 + n + i for i in range(n)] + [1]
-    faces = [(0, a, b) for a, b in zip(right, right[1:], strict=False)]
-    faces += [(0, b, a) for a, b in zip(left, left[1:], strict=False)]
+    faces = [(0, a, b) for a, b in pairwise(right)]
+    faces += [(0, b, a) for a, b in pairwise(left)]
     return Card(
         place.astype(np.float32), normal.astype(np.float32), uv.astype(np.float32),
         np.array(faces, dtype=np.int32),

@@ -12,7 +12,7 @@ from treefit.plant import Plant
 
 Floats = NDArray[np.float32]
 
-SUN = np.array([-0.42, -0.52, 0.74], dtype=np.float32)  # towards the sun: left, before the plant, high
+SUN = np.array([-0.38, -0.50, 0.78], dtype=np.float32)  # towards the sun: left, before the plant, high
 SUN /= np.linalg.norm(SUN)
 _CELLS = 24  # of the longest side of the crown
 _MAP = 640  # pixels of the sun's view

@@ -63,7 +63,7 @@ def _sides(stems: Stems, sides: int) -> NDArray[np.int64]:
     """Corners of the rings of each stem (s,), by the root of its thickness, at least 3."""
     thickest = np.maximum.reduceat(stems.radius, stems.first[:-1])
     wanted = np.round(sides * np.sqrt(thickest / thickest.max()))
-    return np.clip(wanted, min(4, sides), sides).astype(np.int64)
+    return np.asarray(np.clip(wanted, min(4, sides), sides), dtype=np.int64)
 
 
 def _tubes(stems: Stems, chosen: NDArray[np.bool_], sides_of: NDArray[np.int64]) -> Mesh:
@@ -92,9 +92,7 @@ def _tubes(stems: Stems, chosen: NDArray[np.bool_], sides_of: NDArray[np.int64])
 Corners = tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]  # place, normal, uv
 
 
-def _rim(
-    stems: Stems, ring: NDArray[np.int64], sides: NDArray[np.int64], girth: NDArray[np.float64]
-) -> Corners:
+def _rim(stems: Stems, ring: NDArray[np.int64], sides: NDArray[np.int64], girth: NDArray[np.float64]) -> Corners:
     """Corners of the rings, sides + 1 each: the last lies on the first with another u."""
     at = np.repeat(ring, sides + 1)
     turn = _ranges(np.zeros_like(sides), sides + 1) / np.repeat(sides, sides + 1)
@@ -135,7 +133,7 @@ def _fans(start: NDArray[np.int64], sides: NDArray[np.int64], apex: NDArray[np.i
 
 
 def _feet(start: NDArray[np.int64], sides: NDArray[np.int64]) -> NDArray[np.int64]:
-    """sides - 2 triangles that close each first ring, seen from below."""
+    """Triangles (sides - 2) that close each first ring, seen from below."""
     a = np.repeat(start, sides - 2)
     j = _ranges(np.ones_like(sides), sides - 2)
     return np.stack([a, a + j + 1, a + j], axis=1)

@@ -18,7 +18,8 @@ def parse_colour(value: str | Sequence[int]) -> Colour:
     """Return (r, g, b) in 0..255 (sRGB) from '#rrggbb', a CSS colour name or three whole numbers."""
     if isinstance(value, str):
         try:
-            return ImageColor.getrgb(value)[:3]
+            red, green, blue = ImageColor.getrgb(value)[:3]
+            return red, green, blue
         except ValueError:
             raise ValueError(f"colour must be like '#6b4f3a' or a CSS colour name, got {value!r}") from None
     if not isinstance(value, Sequence):

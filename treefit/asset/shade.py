@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-import numba as nb
 import numpy as np
+from numba import njit
 from numpy.typing import NDArray
 
 from treefit.asset.light import SUN, SunMap
@@ -26,9 +26,7 @@ class Surface:
     leaf: NDArray[np.bool_]  # (n,)
 
 
-def shade(
-    surface: Surface, screen: Floats, seen: NDArray[np.int32], sun: SunMap, bias: float, image: Floats
-) -> None:
+def shade(surface: Surface, screen: Floats, seen: NDArray[np.int32], sun: SunMap, bias: float, image: Floats) -> None:
     """Write linear colours into `image` (h, w, 3) wherever `seen` (h, w) names a triangle.
 
     `screen` (n, 3) is the projection that `seen` was filled with; a point is in shadow when the sun's map has
@@ -40,15 +38,15 @@ def shade(
     )  # fmt: skip
 
 
-@nb.njit(cache=True, nogil=True)  # type: ignore[misc]
-def _hash(i, j):  # type: ignore[no-untyped-def]
+@njit(cache=True, nogil=True)
+def _hash(i, j):
     h = (np.uint32(i) * np.uint32(374761393) + np.uint32(j) * np.uint32(668265263)) & np.uint32(0xFFFFFFFF)
     h = ((h ^ (h >> np.uint32(13))) * np.uint32(1274126177)) & np.uint32(0xFFFFFFFF)
     return np.float32((h ^ (h >> np.uint32(16))) & np.uint32(0xFFFF)) / np.float32(65535)
 
 
-@nb.njit(cache=True, nogil=True)  # type: ignore[misc]
-def _grain(u, v):  # type: ignore[no-untyped-def]
+@njit(cache=True, nogil=True)
+def _grain(u, v):
     """Smooth noise in [0, 1]."""
     i, j = int(np.floor(u)), int(np.floor(v))
     s, t = u - i, v - j
@@ -58,8 +56,8 @@ def _grain(u, v):  # type: ignore[no-untyped-def]
     return low * (1 - t) + high * t
 
 
-@nb.njit(cache=True, nogil=True)  # type: ignore[misc]
-def _sunlit(depth, column, row, z):  # type: ignore[no-untyped-def]
+@njit(cache=True, nogil=True)
+def _sunlit(depth, column, row, z):
     """Share of a 5 x 5 neighbourhood of the sun's map that lets light through to depth z."""
     size = depth.shape[0]
     c, r = int(column), int(row)
@@ -72,8 +70,8 @@ def _sunlit(depth, column, row, z):  # type: ignore[no-untyped-def]
     return np.float32(lit) / np.float32(25)
 
 
-@nb.njit(cache=True, nogil=True, fastmath=True)  # type: ignore[misc]
-def _shade(faces, screen, normal, colour, sky, uv, leaf, seen, depth, in_sun, bias, sun, image):  # type: ignore[no-untyped-def]
+@njit(cache=True, nogil=True, fastmath=True)
+def _shade(faces, screen, normal, colour, sky, uv, leaf, seen, depth, in_sun, bias, sun, image):
     for r in range(seen.shape[0]):
         for c in range(seen.shape[1]):
             f = seen[r, c]
@@ -107,15 +105,15 @@ def _shade(faces, screen, normal, colour, sky, uv, leaf, seen, depth, in_sun, bi
                 gu = wi * uv[i, 0] + wj * uv[j, 0] + wk * uv[k, 0]
                 gv = wi * uv[i, 1] + wj * uv[j, 1] + wk * uv[k, 1]
                 grain = np.float32(0.62) + np.float32(0.5) * _grain(gu, gv) + np.float32(0.26) * _grain(3 * gu, 3 * gv)
-            # light sources, linear: sun 2.3 x (1, .92, .76), sky (.50, .60, .74), ground (.20, .18, .13)
+            # light sources, linear: sun 2.1 x (1, .92, .76), sky (.50, .60, .74), ground (.20, .18, .13)
             up = np.float32(0.5) + np.float32(0.5) * nz
             for channel in range(3):
                 base = wi * colour[i, channel] + wj * colour[j, channel] + wk * colour[k, channel]
                 if channel == 0:
-                    s, a, g, t = 2.3, 0.50, 0.20, 1.15
+                    s, a, g, t = 2.1, 0.50, 0.20, 1.15
                 elif channel == 1:
-                    s, a, g, t = 2.12, 0.60, 0.18, 1.2
+                    s, a, g, t = 1.93, 0.60, 0.18, 1.2
                 else:
-                    s, a, g, t = 1.75, 0.74, 0.13, 0.5
+                    s, a, g, t = 1.60, 0.74, 0.13, 0.5
                 light = (direct + through * t) * lit * s + (up * a + (1 - up) * g) * seen_sky
                 image[r, c, channel] = base * grain * light

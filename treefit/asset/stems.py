@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-import numba as nb
 import numpy as np
+from numba import njit
 from numpy.typing import NDArray
 
 from treefit.plant import Plant
@@ -52,8 +52,8 @@ def _ring_radius(plant: Plant, vertex: NDArray[np.int64], owner: NDArray[np.int6
     return np.where(begins_level, radius[owner], radius[vertex])
 
 
-@nb.njit(cache=True, nogil=True)  # type: ignore[misc]
-def _following(parent, level):  # type: ignore[no-untyped-def]
+@njit(cache=True, nogil=True)
+def _following(parent, level):
     """Vertex (v,) that continues the stem of each vertex, -1 at a tip."""
     following = np.full(parent.shape[0], -1, np.int64)
     for i in range(1, parent.shape[0]):
@@ -63,8 +63,8 @@ def _following(parent, level):  # type: ignore[no-untyped-def]
     return following
 
 
-@nb.njit(cache=True, nogil=True)  # type: ignore[misc]
-def _chains(parent, following, position, shortest):  # type: ignore[no-untyped-def]
+@njit(cache=True, nogil=True)
+def _chains(parent, following, position, shortest):
     """First rings (s + 1,), the vertex (r,) at each ring and the vertex (r,) whose segment it belongs to."""
     n = parent.shape[0]
     first = np.zeros(n + 1, np.int64)
@@ -97,8 +97,8 @@ def _chains(parent, following, position, shortest):  # type: ignore[no-untyped-d
     return first[: stems + 1].copy(), vertex[:rings].copy(), owner[:rings].copy()
 
 
-@nb.njit(cache=True, nogil=True)  # type: ignore[misc]
-def _frames(first, centre):  # type: ignore[no-untyped-def]
+@njit(cache=True, nogil=True)
+def _frames(first, centre):
     """Tangent (r, 3), side (r, 3) carried along without twist, and length along the stem (r,)."""
     rings = centre.shape[0]
     tangent = np.zeros((rings, 3))

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-import numba as nb
 import numpy as np
+from numba import njit
 from numpy.typing import NDArray
 
 
@@ -20,8 +20,8 @@ def nearest_triangles(
     return seen, depth
 
 
-@nb.njit(cache=True, nogil=True)  # type: ignore[misc]
-def _fill(screen, faces, seen, depth):  # type: ignore[no-untyped-def]
+@njit(cache=True, nogil=True)
+def _fill(screen, faces, seen, depth):
     height, width = seen.shape
     half = np.float32(0.5)
     for f in range(faces.shape[0]):

@@ -93,12 +93,18 @@ def _without_specks(wood: Region, tree: Region) -> Region:
 
 def _held(wood: Region, tree: Region) -> Region:
     """Wood that hangs together with the trunk: brown alone never makes a branch."""
-    column = trunk_column(tree)
+    column = _woody_rows(trunk_column(tree), wood)
     foot = column if column.any() else _lowest_quarter(tree)
     labels, _ = ndimage.label(wood | column, structure=np.ones((3, 3)))
     keep = np.unique(labels[foot & (wood | column)])
     held = np.isin(labels, keep[keep > 0])
     return np.asarray(held & (wood | column))
+
+
+def _woody_rows(column: Region, wood: Region) -> Region:
+    """Rows of `column` that are mostly wood: its top may reach into the leaves."""
+    share = (column & wood).sum(axis=1) / np.maximum(column.sum(axis=1), 1)
+    return np.asarray(column & (share > 0.5)[:, None])
 
 
 def _lowest_quarter(tree: Region) -> Region:

@@ -8,6 +8,7 @@ from pydantic.dataclasses import dataclass
 from scipy import ndimage
 from skimage.color import rgb2lab
 
+from treefit.image.belt import belts
 from treefit.image.classes import by_colour, is_strokes, leaf_share
 from treefit.image.cut import soft_cut
 from treefit.image.extraction import Extraction
@@ -26,7 +27,7 @@ LEAFLESS_SHARE = 0.15
 
 @dataclass(frozen=True, config=ConfigDict(extra="forbid"))
 class ColourMask:
-    """Works on the picture shrunk to `size` pixels; the colour models of a photograph are learned at `coarse` pixels."""
+    """Works at `size` pixels of the longer side; the colours of a photograph are learned at `coarse` pixels."""
 
     size: int = Field(default=512, ge=64, le=2048)
     coarse: int = Field(default=256, ge=64, le=1024)
@@ -41,7 +42,10 @@ class ColourMask:
             confidence, why = 0.8, "the picture has a plain border, the tree is what differs from it"
         else:
             mask, layout = self._photograph(picture, fine)
-            confidence, why = 0.5, f"a photograph: tree colours learned above its horizon at {layout.horizon:.0%} height"
+            confidence, why = (
+                0.5,
+                f"a photograph: tree colours learned above its horizon at {layout.horizon:.0%} height",
+            )
         mask = resize_mask(mask, picture.shape)
         return Extraction(mask, "colour", confidence, why, judge(mask))
 
@@ -52,10 +56,10 @@ class ColourMask:
         stem = find_stem(lab, sky, layout)
         layout = lowered(layout, stem)
         crown = soft_cut(lab, expectation(layout, sky), sky)
-        tree = _sharpen(crown, sky, fine) | _resize_region(stem, fine)
-        tree = _middle_part(tree, layout)
-        stem = _resize_region(stem, fine) & tree
-        return _classes(fine, tree, stem), layout
+        stem = _resize_region(stem, fine)
+        tree = _sharpen(crown, sky, fine)
+        tree = _middle_part((tree & ~belts(tree)) | stem, layout)
+        return _classes(fine, tree, stem & tree), layout
 
 
 def _sharpen(crown: np.ndarray, sky: Region, fine: Rgb) -> Region:

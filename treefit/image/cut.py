@@ -1,4 +1,4 @@
-"""Soft cut of a photograph into tree and background: colour models and smoothness refine a first expectation in turn."""
+"""Soft cut of a photograph: colour models and smoothness refine a first expectation of the tree in turn."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ TEXTURES = (3.0, 8.0)
 RARE = 2e-5
 COLOUR_LIMIT = 3.0
 SKY_WEIGHT = 0.3
-SMOOTH, SMOOTH_LOSS = 3.0, 4.0
+SMOOTH, SMOOTH_LOSS = 2.0, 2.0
 
 
 def soft_cut(lab: Lab, expected: NDArray[np.float64], sky: Region) -> NDArray[np.float64]:

@@ -41,7 +41,7 @@ def find_layout(sky: Region) -> Layout:
 
 
 def lowered(layout: Layout, stem: Region) -> Layout:
-    """`layout` with the horizon no higher than where the stem comes out of the crown: the crown reaches down to there."""
+    """`layout` with the horizon no higher than where the stem leaves the crown: the crown reaches down to there."""
     rows = np.flatnonzero(stem.any(axis=1))
     if len(rows) == 0:
         return layout

@@ -24,11 +24,12 @@ class PictureError(ValueError):
 def read_picture(path: Path | str) -> Picture:
     """Picture at `path`, told by its content, upright, 8 bits a channel, composited on white."""
     path = Path(path)
-    image = _open(path)
     try:
-        notes = _notes(image)
-        image = _eight_bits(ImageOps.exif_transpose(image))
-        rgba = np.asarray(image.convert("RGBA"))
+        with _open(path) as image:
+            notes = _notes(image)
+            rgba = np.asarray(_eight_bits(ImageOps.exif_transpose(image)).convert("RGBA"))
+    except PictureError:
+        raise
     except Exception as error:  # Pillow's decoders raise nearly any exception on a damaged file
         raise PictureError(f"{path}: the picture is damaged or cut off ({_one_line(error)}); save it again") from error
     alpha = rgba[..., 3]
@@ -39,18 +40,20 @@ def read_picture(path: Path | str) -> Picture:
 def read_mask_file(path: Path | str) -> Mask:
     """Mask from an image file whose pixel values are 0 background, 1 branch, 2 foliage."""
     path = Path(path)
-    image = _open(path)
-    if image.mode not in INDEX_MODES:
-        raise PictureError(
-            f"{path}: a mask file needs a palette or one grey channel with pixel values 0 background, 1 branch, "
-            f"2 foliage; this file has mode {image.mode}"
-        )
     try:
-        values = np.asarray(image).astype(np.uint8)
+        with _open(path) as image:
+            mode, values = image.mode, np.asarray(image)
+    except PictureError:
+        raise
     except Exception as error:  # as in read_picture
         raise PictureError(f"{path}: the mask file is damaged or cut off ({_one_line(error)})") from error
+    if mode not in INDEX_MODES:
+        raise PictureError(
+            f"{path}: a mask file needs a palette or one grey channel with pixel values 0 background, 1 branch, "
+            f"2 foliage; this file has mode {mode}"
+        )
     try:
-        return check_mask(values)
+        return check_mask(values.astype(np.uint8))
     except ValueError as error:
         raise PictureError(f"{path}: {error}") from None
 
@@ -82,8 +85,10 @@ def _open(path: Path) -> Image.Image:
     except Exception as error:  # as in read_picture
         raise PictureError(f"{path}: not a picture that can be read; give a PNG, JPEG or WebP file") from error
     if image.width * image.height > PIXEL_LIMIT:
+        image.close()
         raise PictureError(_too_large(path, f"{image.width} x {image.height} = {_millions(image)}"))
     if image.format == "EPS":  # decoding would start a foreign program
+        image.close()
         raise PictureError(f"{path}: EPS is not read; save the picture as PNG")
     return image
 

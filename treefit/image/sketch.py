@@ -42,7 +42,7 @@ class SketchMask:
         return Extraction(mask, "sketch", 0.85 if silhouette else 0.75, why, judge(mask))
 
     def _fill(self, ink: Region) -> Region:
-        """Ink and what it encloses once gaps are closed; a stroke that leaves the picture is closed along the border."""
+        """Ink and what it encloses once gaps are closed."""
         radius = max(1, round(self.gap * max(ink.shape)))
         wide = np.pad(ink, 2 * radius)
         closed = ndimage.binary_closing(wide, disk(radius))

@@ -72,4 +72,4 @@ def _distance_to_colours(lab: Lab, centres: Lab) -> NDArray[np.float64]:
     nearest = np.full(lab.shape[:2], np.inf)
     for centre in centres:
         np.minimum(nearest, ((lab - centre) ** 2).sum(axis=-1), out=nearest)
-    return np.sqrt(nearest)
+    return np.asarray(np.sqrt(nearest))

@@ -23,8 +23,8 @@ BEND_LOSS, WIDENING_LOSS = 0.15, 0.6
 WIDEST, WIDENING = 0.16, 1.9
 LEAST_LENGTH, LEAST_STRENGTH = 0.04, 1.5
 OTHER_COLOUR = 22.0
-ADAPTION = 0.1
-COLOUR_WEIGHTS = (0.5, 1.0, 1.0)
+ADAPTION = 0.05
+COLOUR_WEIGHTS = (0.3, 4.0, 1.0)
 PATIENCE = 0.04
 SKY_LOSS = -3.0
 
@@ -115,7 +115,7 @@ def _climb(lab: Lab, path: list[_Bar]) -> list[_Bar]:
     widest = WIDENING * float(np.median([bar.width for bar in path[: int(0.1 * height) + 1]])) + 1
     strange = 0
     for index, (bar, colour) in enumerate(zip(path, colours, strict=True)):
-        # lightness counts less: the stem goes through sun and shade
+        # lightness counts less, the stem goes through sun and shade; green against red counts most
         if np.sqrt(((colour - typical) ** 2 * COLOUR_WEIGHTS).sum()) < OTHER_COLOUR and bar.width < widest:
             typical, strange = (1 - ADAPTION) * typical + ADAPTION * colour, 0
             continue

@@ -16,7 +16,7 @@ LEAST_LENGTH = 0.02
 
 
 def trunk_column(tree: Region) -> Region:
-    """(h, w) bool: pixels of the column from the foot of `tree` up to the crown; empty when the crown stands on the ground."""
+    """(h, w) bool: the column from the foot of `tree` up to its crown; empty when the crown stands on the ground."""
     trunk = np.zeros_like(tree)
     rows = np.flatnonzero(tree.any(axis=1))
     if len(rows) == 0:

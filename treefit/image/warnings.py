@@ -21,7 +21,9 @@ def check_picture(picture: Picture) -> None:
     """PictureError when no extractor could find a tree in `picture`, because it is tiny or of one colour."""
     height, width = picture.shape
     if min(height, width) < LEAST_SIDE:
-        raise PictureError(f"{_name(picture)}: {width} x {height} pixels is too small to show a tree; give a larger one")
+        raise PictureError(
+            f"{_name(picture)}: {width} x {height} pixels is too small to show a tree; give a larger one"
+        )
     one_colour = (picture.rgb == picture.rgb[0, 0]).all()
     if one_colour and (picture.alpha is None or (picture.alpha == picture.alpha[0, 0]).all()):
         raise PictureError(f"{_name(picture)}: the picture is of one colour, there is no tree in it; {CURE}")

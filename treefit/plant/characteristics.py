@@ -100,20 +100,20 @@ def crown_volume(plant: Plant) -> float:
     return int(count_voxels(points, np.float32(1.0 / side))) * side**3
 
 
-@njit(cache=True, nogil=True)
+@njit(cache=True, nogil=True, error_model="numpy")
 def count_voxels(points, per_metre):
-    """Count of the voxels that hold at least one of the points (3, k)."""
+    """Count of the voxels that hold at least one of the points, given as rows x, y, z."""
     low, high = np.empty(3, np.int64), np.empty(3, np.int64)
-    for axis in range(3):
-        low[axis] = int(math.floor(points[axis].min() * per_metre))
-        high[axis] = int(math.floor(points[axis].max() * per_metre))
+    for axis, row in enumerate(points):
+        low[axis] = int(math.floor(row.min() * per_metre))
+        high[axis] = int(math.floor(row.max() * per_metre))
     shape = np.minimum(high - low + 1, 512)
     seen = np.zeros((shape[0], shape[1], shape[2]), np.bool_)
     count = 0
-    for i in range(points.shape[1]):
-        a = min(int(math.floor(points[0, i] * per_metre)) - low[0], shape[0] - 1)
-        b = min(int(math.floor(points[1, i] * per_metre)) - low[1], shape[1] - 1)
-        c = min(int(math.floor(points[2, i] * per_metre)) - low[2], shape[2] - 1)
+    for i in range(len(points[0])):
+        a = min(int(math.floor(points[0][i] * per_metre)) - low[0], shape[0] - 1)
+        b = min(int(math.floor(points[1][i] * per_metre)) - low[1], shape[1] - 1)
+        c = min(int(math.floor(points[2][i] * per_metre)) - low[2], shape[2] - 1)
         if not seen[a, b, c]:
             seen[a, b, c] = True
             count += 1

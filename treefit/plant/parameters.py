@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from difflib import get_close_matches
+from functools import cached_property, partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -45,17 +46,21 @@ class Parameter:
 
     def decode(self, gene: float) -> Value:
         """Value at `gene` in [0, 1]; ints, bools and choices share the interval in equal parts."""
-        gene = min(max(float(gene), 0.0), 1.0)
+        return self.decoder(min(max(float(gene), 0.0), 1.0))
+
+    @cached_property
+    def decoder(self) -> Callable[[float], Value]:
+        """Function from a gene in [0, 1] to its value, made once: a search decodes millions."""
         if self.kind == "bool":
-            return gene >= 0.5
+            return _flag
         if self.kind == "choice":
-            return self.choices[min(int(gene * len(self.choices)), len(self.choices) - 1)]
-        low, high = (self.low, self.high + 1) if self.kind == "int" else (self.low, self.high)
+            return partial(_choice, self.choices)
+        span = self.high - self.low if self.kind == "float" else self.high + 1 - self.low
         if self.scale == "log":
-            value = low * math.exp(gene * math.log(high / low))
+            number = partial(_logarithmic, self.low, math.log((self.low + span) / self.low))
         else:
-            value = low + gene * (high - low)
-        return min(int(value + 1e-9), int(self.high)) if self.kind == "int" else min(max(value, low), high)
+            number = partial(_linear, self.low, span)
+        return partial(_whole, number, int(self.high)) if self.kind == "int" else partial(_capped, number, self.high)
 
     def encode(self, value: Value) -> float:
         """Gene in [0, 1] that decodes to `value` (clipped into the range)."""
@@ -100,7 +105,7 @@ class ParameterSpace:
         for name, value in self.fixed.items():
             self._known(name).check(value)
 
-    @property
+    @cached_property
     def free(self) -> tuple[Parameter, ...]:
         """Parameters that are genes, in order."""
         return tuple(parameter for parameter in self.parameters if parameter.name not in self.fixed)
@@ -116,14 +121,21 @@ class ParameterSpace:
 
     def decode(self, genome: Genome) -> dict[str, Value]:
         """Values by name, fixed ones included, at `genome` (n,)."""
-        if len(genome) != len(self):
+        if len(genome) != len(self._decoders):
             raise ValueError(f"genome must have {len(self)} genes, got {len(genome)}")
-        genes = iter(genome)
-        return {
-            parameter.name: self.fixed[parameter.name] if parameter.name in self.fixed
-            else parameter.decode(next(genes))
-            for parameter in self.parameters
-        }  # fmt: skip
+        values = dict(self._skeleton)
+        for (name, decoder), gene in zip(self._decoders, np.clip(genome, 0.0, 1.0).tolist(), strict=True):
+            values[name] = decoder(gene)
+        return values
+
+    @cached_property
+    def _skeleton(self) -> dict[str, Value]:
+        """All names in order, fixed values in their places."""
+        return {parameter.name: self.fixed.get(parameter.name, 0.0) for parameter in self.parameters}
+
+    @cached_property
+    def _decoders(self) -> list[tuple[str, Callable[[float], Value]]]:
+        return [(parameter.name, parameter.decoder) for parameter in self.free]
 
     def encode(self, values: Values) -> Genome:
         """Genome (n,) nearest to `values`; names that are missing take their default."""
@@ -151,3 +163,27 @@ class ParameterSpace:
                 return parameter
         close = get_close_matches(name, [parameter.name for parameter in self.parameters], n=1)
         raise ValueError(f"no parameter {name!r}" + (f"; did you mean {close[0]!r}?" if close else ""))
+
+
+def _flag(gene: float) -> bool:
+    return gene >= 0.5
+
+
+def _choice(choices: tuple[str, ...], gene: float) -> str:
+    return choices[min(int(gene * len(choices)), len(choices) - 1)]
+
+
+def _linear(low: float, span: float, gene: float) -> float:
+    return low + gene * span
+
+
+def _logarithmic(low: float, rate: float, gene: float) -> float:
+    return low * math.exp(gene * rate)
+
+
+def _whole(number: Callable[[float], float], high: int, gene: float) -> int:
+    return min(int(number(gene) + 1e-9), high)
+
+
+def _capped(number: Callable[[float], float], high: float, gene: float) -> float:
+    return min(number(gene), high)

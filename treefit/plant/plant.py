@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
+from numba import njit
 from numpy.typing import NDArray
 
 Floats = NDArray[np.float32]
@@ -54,11 +56,23 @@ def check_plant(plant: Plant) -> None:
     if v < 2:
         raise ValueError(f"plant: needs at least 2 vertices, got {v}")
     for name in ("position", "radius", "leaf_position", "leaf_axis", "leaf_normal", "leaf_size"):
-        if not np.isfinite(getattr(plant, name)).all():
+        array = getattr(plant, name)
+        rows = array.T if array.ndim == 2 else array[None]
+        quick = sum(float(np.dot(row, row)) for row in rows)  # NaN or infinite if a number is, or if one is huge
+        if not math.isfinite(quick) and not np.isfinite(array).all():
             raise ValueError(f"plant: {name} has NaN or infinite values")
-    if plant.parent[0] != -1 or (plant.parent[1:] < 0).any():
+    if plant.parent[0] != -1 or plant.parent[1:].min() < 0:
         raise ValueError("plant: parent must be -1 for vertex 0 and for no other")
-    if (plant.parent >= np.arange(v)).any():
+    if not ascending(plant.parent):
         raise ValueError("plant: parent[i] must be below i")
     if plant.radius.min() < 0:
         raise ValueError("plant: radius must not be negative")
+
+
+@njit(cache=True, nogil=True)
+def ascending(parent):
+    """Whether every parent comes before its child."""
+    for i in range(len(parent)):
+        if parent[i] >= i:
+            return False
+    return True

@@ -35,7 +35,22 @@ def signed(key: np.uint64, purpose: int) -> np.float32:
     return np.float32(2.0) * uniform(key, purpose) - np.float32(1.0)
 
 
-_POINTS = 4096
+_INVERSE_2_16 = np.float32(1.0 / (1 << 16))
+
+
+@njit(inline="always")
+def four(key: np.uint64) -> tuple[np.float32, np.float32, np.float32, np.float32]:
+    """Four draws in [0, 1), 16 bits each: the key itself, for places that need no more than these."""
+    mask = np.uint64(0xFFFF)
+    return (
+        np.float32(key & mask) * _INVERSE_2_16,
+        np.float32((key >> np.uint64(16)) & mask) * _INVERSE_2_16,
+        np.float32((key >> np.uint64(32)) & mask) * _INVERSE_2_16,
+        np.float32(key >> np.uint64(48)) * _INVERSE_2_16,
+    )
+
+
+_POINTS = 1024
 _ANGLES = 2 * np.pi * np.arange(_POINTS) / _POINTS
 _COS, _SIN = np.cos(_ANGLES).astype(np.float32), np.sin(_ANGLES).astype(np.float32)
 

@@ -24,8 +24,8 @@ class TreeGA:
     population: int = Field(default=100, ge=4)
     start_population: int = Field(default=200, ge=4)
     generations: int = Field(default=75, ge=1)
-    mutation_chance: float = Field(default=0.7, ge=0, le=1)
-    mutation_genes: float = Field(default=0.08, gt=0, le=1)
+    mutation_chance: float = Field(default=0.9, ge=0, le=1)
+    mutation_genes: float = Field(default=0.05, gt=0, le=1)
     mutation_step: float = Field(default=0.1, gt=0, le=1)
     crossover: str = Field(default="one_dot", pattern="^(one_dot|uniform)$")
 

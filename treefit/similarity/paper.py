@@ -61,7 +61,7 @@ def _smoothstep(x):
     return x * x * (3.0 - 2.0 * x)
 
 
-@njit(cache=True, nogil=True)
+@njit(cache=True, nogil=True, error_model="numpy")
 def image_similarity(crown1, dense1, branch1, foliage1, crown2, dense2, branch2, foliage2, cross, trunk_share):
     """ImSim of the stripes 1 (picture) and 2 (plant)."""
     found = most = trunk_found = trunk_most = 0.0

@@ -64,7 +64,7 @@ def _highest_bit(x: np.uint64) -> int:
     return _popcount(x) - 1
 
 
-@njit(cache=True, nogil=True)
+@njit(cache=True, nogil=True, error_model="numpy")
 def measure(branch_bits, foliage_bits, crown, dense, branch, foliage):
     """Fill the arrays of Stripes from bit rows (height, words)."""
     height, words = branch_bits.shape

@@ -12,24 +12,24 @@ ADDRESS = "http://127.0.0.1:5000"
 
 @dataclass(frozen=True)
 class LocalStore:
-    """Folder (absolute) with mlflow.db, its lock and mlartifacts/."""
+    """Database file (absolute); its lock and mlartifacts/ lie beside it."""
 
-    folder: Path
+    database: Path
 
     @property
     def uri(self) -> str:
         """Address of the database for mlflow."""
-        return f"sqlite:///{(self.folder / 'mlflow.db').as_posix()}"
+        return f"sqlite:///{self.database.as_posix()}"
 
     @property
     def artifacts(self) -> str:
         """Address under which files are kept."""
-        return (self.folder / "mlartifacts").as_uri()
+        return (self.database.parent / "mlartifacts").as_uri()
 
     @property
     def lock(self) -> Path:
         """File that processes lock while the database is made: mlflow fails when several make it at once."""
-        return self.folder / "mlflow.db.lock"
+        return self.database.with_name(f"{self.database.name}.lock")
 
     @property
     def command(self) -> str:

@@ -31,10 +31,10 @@ LONGEST_VALUE = 500
 
 
 class MlflowRun:
-    """Run in the store at `uri`, or in the local `store` when `uri` is None."""
+    """Run in the local `store`, or at the address of a server."""
 
-    def __init__(self, uri: str | None, store: LocalStore, experiment: str) -> None:
-        self._uri, self._store, self._experiment = uri, store, experiment
+    def __init__(self, store: LocalStore | str, experiment: str) -> None:
+        self._store, self._experiment = store, experiment
         self.run_id: str | None = None
         self.experiment_id: str | None = None
 
@@ -88,22 +88,22 @@ class MlflowRun:
                 self._client.log_image(self._begun(), image.convert("RGB"), key=key, step=step, timestamp=_now())
 
     def _only_one(self) -> FileLock | nullcontext[None]:
-        if self._uri is not None:
+        if isinstance(self._store, str):
             return nullcontext()
-        self._store.folder.mkdir(parents=True, exist_ok=True)
+        self._store.lock.parent.mkdir(parents=True, exist_ok=True)
         return FileLock(self._store.lock)
 
     def _connect(self) -> MlflowClient:
         from mlflow import MlflowClient
 
         logging.getLogger("alembic").setLevel(logging.WARNING)  # tells of each table that it makes
-        return MlflowClient(tracking_uri=self._uri or self._store.uri)
+        return MlflowClient(tracking_uri=self._store if isinstance(self._store, str) else self._store.uri)
 
     def _find_experiment(self) -> str:
         known = self._client.get_experiment_by_name(self._experiment)
         if known is not None:
             return str(known.experiment_id)
-        place = None if self._uri else self._store.artifacts
+        place = None if isinstance(self._store, str) else self._store.artifacts
         return str(self._client.create_experiment(self._experiment, artifact_location=place))
 
 

@@ -27,12 +27,9 @@ class MlflowTracker:
             raise ValueError(f"tracking.experiment: must be a name, got {experiment!r}")
         if isinstance(patience, bool) or not isinstance(patience, int | float) or not 0 < patience < math.inf:
             raise ValueError(f"tracking.patience: must be a number of seconds greater than 0, got {patience!r}")
-        if uri is not None and "://" not in str(uri):
-            raise ValueError(f"tracking.uri: must be like http://host:5000 or sqlite:////folder/mlflow.db, got {uri!r}")
-        self._uri = uri
-        self._store = LocalStore(Path("outputs").resolve())
+        self._store = _store(uri)
         self._patience = patience
-        self._run = MlflowRun(uri, self._store, experiment)
+        self._run = MlflowRun(self._store, experiment)
         self._started = Event()
         self._background: Background | None = None
 
@@ -71,11 +68,9 @@ class MlflowTracker:
         if self._run.experiment_id is None:
             return ""
         page = f"#/experiments/{self._run.experiment_id}?workflowType=machine_learning"
-        if self._uri is None:
+        if isinstance(self._store, LocalStore):
             return f"{self._store.command}   then open {ADDRESS}/{page}"
-        if self._uri.startswith("http"):
-            return f"{self._uri.rstrip('/')}/{page}"
-        return f"mlflow ui --workers 1 --backend-store-uri {self._uri}   then open {ADDRESS}/{page}"
+        return f"{self._store.rstrip('/')}/{page}"
 
     def _do(self, job: Callable[[], None]) -> None:
         if self._background is not None:
@@ -84,3 +79,14 @@ class MlflowTracker:
     def _give_up(self, error: Exception) -> None:
         reason = " ".join(str(error).split())[:200] or type(error).__name__
         _log.warning("tracking: stopped, the run goes on and its own folder is complete (%s)", reason)
+
+
+def _store(uri: str | None) -> LocalStore | str:
+    """Return the local store that `uri` means, or `uri` itself when it is a server's."""
+    if uri is None:
+        return LocalStore(Path("outputs", "mlflow.db").resolve())
+    if uri.startswith("sqlite:///"):
+        return LocalStore(Path(uri.removeprefix("sqlite:///")).resolve())
+    if uri.startswith(("http://", "https://")):
+        return uri
+    raise ValueError(f"tracking.uri: must be like http://host:5000 or sqlite:////folder/mlflow.db, got {uri!r}")

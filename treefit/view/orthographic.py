@@ -13,7 +13,7 @@ from pydantic.dataclasses import dataclass
 from treefit.plant import Plant
 from treefit.plant.extent import extent, rows_of
 from treefit.view.frame import BitMask, Frame
-from treefit.view.raster import SLABS, composite, draw
+from treefit.view.raster import SLABS, composite, draw_branches, draw_leaves
 
 
 @dataclass(frozen=True, config=ConfigDict(extra="forbid"))
@@ -30,11 +30,13 @@ class OrthographicView:
         angle = math.radians(self.azimuth)
         cos, sin = np.float32(math.cos(angle)), np.float32(math.sin(angle))
         top, _, _, near, far = extent(xyz, leaf_xyz, axis, normal, size, cos, sin)
-        planes = np.zeros((SLABS, 2, frame.height, frame.words), np.uint64)
-        draw(planes, xyz, plant.radius, plant.parent, plant.level, leaf_xyz, axis, normal, size, cos, sin,
-             np.float32(frame.height / top), near, far)  # fmt: skip
+        shape, window = (SLABS, 2, frame.height, frame.words), (frame.height, frame.words)
+        bits = np.zeros(math.prod(shape) + 1, np.uint64)  # one word more: spans touch the word behind them
+        seen = (cos, sin, np.float32(frame.height / top), near, np.float32(SLABS / (far - near + 1e-6)))
+        draw_branches(bits, *window, xyz, plant.radius, plant.parent, plant.level, *seen)
+        draw_leaves(bits, *window, leaf_xyz, axis, normal, size, *seen)
         branch, foliage = _empty(frame), _empty(frame)
-        composite(planes, branch, foliage)
+        composite(bits[:-1].reshape(shape), branch, foliage)
         return BitMask(branch, foliage)
 
 
