@@ -45,4 +45,5 @@ def _ground_shadow(frame: Frame, sun: SunMap, tall: float) -> Floats:
     soft = blocked.filter(ImageFilter.GaussianBlur(0.0028 * h)).resize((w, h), Image.Resampling.BILINEAR)
     contact = np.exp(-((np.hypot(x, y) / (0.045 * tall)) ** 2))
     near = Image.fromarray((contact * 160).astype(np.uint8)).resize((w, h), Image.Resampling.BILINEAR)
-    return np.maximum(np.asarray(soft), np.asarray(near)).astype(np.float32) / 255
+    darkness = np.maximum(np.asarray(soft), np.asarray(near))
+    return np.asarray(darkness / 255, dtype=np.float32)

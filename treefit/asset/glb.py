@@ -16,7 +16,6 @@ from treefit.asset.paint import to_linear
 from treefit.asset.settings import AssetSettings
 from treefit.plant import Plant, check_plant
 
-
 _ATTRIBUTES, _INDICES = 34962, 34963  # OpenGL's names of buffer kinds
 
 

@@ -33,6 +33,8 @@ def branch_meshes(plant: Plant, sides: int = 8) -> dict[str, Mesh]:
     if sides < 3:
         raise ValueError(f"mesh: sides must be 3 or more, got {sides}")
     stems = stems_of(plant)
+    if len(stems.level) == 0:
+        return {}
     levels = {"trunk": stems.level == 0, "branches": stems.level > 0}
     sides_of = _sides(stems, sides)
     return {name: _tubes(stems, chosen, sides_of) for name, chosen in levels.items() if chosen.any()}
@@ -44,7 +46,7 @@ def leaf_mesh(plant: Plant, shape: Shape = "broad", fold: float = 0.0) -> Mesh:
     k, corners = plant.n_leaves, len(card.place)
     axis = np.asarray(plant.leaf_axis, dtype=np.float32)
     normal = np.asarray(plant.leaf_normal, dtype=np.float32)
-    across = np.cross(normal, axis)
+    across = np.cross(axis, normal)
     frame = np.stack([across, axis, normal], axis=1)  # (k, 3, 3), rows are the card's x, y, z
     length, width = plant.leaf_size[:, :1], plant.leaf_size[:, 1:]
     stretch = np.concatenate([width, length, width], axis=1)

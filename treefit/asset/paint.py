@@ -20,13 +20,13 @@ def leaf_colours(plant: Plant, mesh: Mesh, settings: AssetSettings) -> Floats:
     hue = _noise(index, 2)
     factor = np.column_stack([0.86 + 0.40 * hue, 0.94 + 0.12 * hue, 1.16 - 0.50 * hue]) * (0.76 + 0.5 * light)[:, None]
     colour = to_linear(settings.leaf) * factor
-    return np.repeat(colour, len(mesh.vertices) // k, axis=0).astype(np.float32)
+    return np.asarray(np.repeat(colour, len(mesh.vertices) // k, axis=0), dtype=np.float32)
 
 
 def bark_colours(mesh: Mesh, settings: AssetSettings, tall: float) -> Floats:
     """Linear colours (n, 3): darker at the foot, lighter and a little greyer towards the twigs."""
     up = np.clip(mesh.vertices[:, 2] / tall, 0, 1)[:, None]
-    return (to_linear(settings.bark) * (0.72 + 0.5 * up**0.6)).astype(np.float32)
+    return np.asarray(to_linear(settings.bark) * (0.72 + 0.5 * up**0.6), dtype=np.float32)
 
 
 def _noise(index: NDArray[np.uint64], stream: int) -> NDArray[np.float64]:
@@ -41,7 +41,7 @@ def _noise(index: NDArray[np.uint64], stream: int) -> NDArray[np.float64]:
 def to_linear(colour: Colour) -> NDArray[np.float64]:
     """Linear (3,) in [0, 1] of an sRGB colour in 0..255."""
     srgb = np.array(colour) / 255
-    return np.where(srgb <= 0.04045, srgb / 12.92, ((srgb + 0.055) / 1.055) ** 2.4)
+    return np.asarray(np.where(srgb <= 0.04045, srgb / 12.92, ((srgb + 0.055) / 1.055) ** 2.4))
 
 
 def to_srgb(linear: Floats) -> Floats:

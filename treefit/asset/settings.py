@@ -14,19 +14,17 @@ from treefit.asset.leaf_outline import Shape
 Colour = tuple[int, int, int]
 
 
-def parse_colour(value: str | Sequence[int]) -> Colour:
+def parse_colour(value: object) -> Colour:
     """Return (r, g, b) in 0..255 (sRGB) from '#rrggbb', a CSS colour name or three whole numbers."""
     if isinstance(value, str):
         try:
             red, green, blue = ImageColor.getrgb(value)[:3]
-            return red, green, blue
         except ValueError:
             raise ValueError(f"colour must be like '#6b4f3a' or a CSS colour name, got {value!r}") from None
-    if not isinstance(value, Sequence):
-        raise ValueError(f"colour must be like '#6b4f3a' or [107, 79, 58], got {value!r}")
-    numbers = tuple(value)
+        return int(red), int(green), int(blue)
+    numbers = list(value) if isinstance(value, Sequence) else []
     if len(numbers) != 3 or not all(type(n) is int and 0 <= n <= 255 for n in numbers):
-        raise ValueError(f"colour must have three whole numbers in 0..255, got {list(numbers)}")
+        raise ValueError(f"colour must be like '#6b4f3a' or [107, 79, 58] (numbers in 0..255), got {value!r}")
     return numbers[0], numbers[1], numbers[2]
 
 

@@ -35,8 +35,9 @@ def stems_of(plant: Plant) -> Stems:
     """
     position = np.ascontiguousarray(plant.position, dtype=np.float64)
     size = max(float(np.ptp(position, axis=0).max()), 1e-6)
-    following = _following(plant.parent, plant.level)
-    first, vertex, owner = _chains(plant.parent, following, position, SHORTEST * size)
+    parent, level = np.ascontiguousarray(plant.parent), np.ascontiguousarray(plant.level)
+    following = _following(parent, level)
+    first, vertex, owner = _chains(parent, following, position, SHORTEST * size)
     centre = position[vertex]
     radius = np.maximum(_ring_radius(plant, vertex, owner), THINNEST * size)
     tangent, side, along = _frames(first, centre)

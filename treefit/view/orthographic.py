@@ -13,7 +13,10 @@ from pydantic.dataclasses import dataclass
 from treefit.plant import Plant
 from treefit.plant.extent import extent, rows_of
 from treefit.view.frame import BitMask, Frame
-from treefit.view.raster import SLABS, composite, draw_branches, draw_leaves
+from treefit.view.raster import composite, draw_branches, draw_leaves
+
+SLABS, FINE_SLABS = 4, 32
+"""Slabs of depth: for a search few are enough and stay in the nearest cache; a mask to be looked at has more."""
 
 
 @dataclass(frozen=True, config=ConfigDict(extra="forbid"))
@@ -30,9 +33,10 @@ class OrthographicView:
         angle = math.radians(self.azimuth)
         cos, sin = np.float32(math.cos(angle)), np.float32(math.sin(angle))
         top, _, _, near, far = extent(xyz, leaf_xyz, axis, normal, size, cos, sin)
-        shape, window = (SLABS, 2, frame.height, frame.words), (frame.height, frame.words)
+        slabs = SLABS if frame.height <= 128 else FINE_SLABS
+        shape, window = (slabs, 2, frame.height, frame.words), (slabs, frame.height, frame.words)
         bits = np.zeros(math.prod(shape) + 1, np.uint64)  # one word more: spans touch the word behind them
-        seen = (cos, sin, np.float32(frame.height / top), near, np.float32(SLABS / (far - near + 1e-6)))
+        seen = (cos, sin, np.float32(frame.height / top), near, np.float32(slabs / (far - near + 1e-6)))
         draw_branches(bits, *window, xyz, plant.radius, plant.parent, plant.level, *seen)
         draw_leaves(bits, *window, leaf_xyz, axis, normal, size, *seen)
         branch, foliage = _empty(frame), _empty(frame)

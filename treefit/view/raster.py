@@ -11,7 +11,6 @@ import math
 import numpy as np
 from numba import njit
 
-SLABS = 4
 BRANCHES, LEAVES = 0, 1
 THIN = np.float32(0.75)  # half width in pixels up to which a segment is a line and its joints need no disc
 CHUNK = 256  # leaves that are transformed at once
@@ -120,20 +119,20 @@ def _quad(bits, base, height, words, x0, y0, r0, x1, y1, r1):
 
 
 @njit(cache=True, nogil=True, error_model="numpy", fastmath={"contract", "nsz", "arcp"})
-def draw_branches(bits, height, words, xyz, radius, parent, level, cos, sin, scale, near, per_depth):
-    """Draw the segments of a plant into `bits` (SLABS * 2 * height * words), `scale` pixels a metre, slab 0 nearest."""
+def draw_branches(bits, slabs, height, words, xyz, radius, parent, level, cos, sin, scale, near, per_depth):
+    """Draw the segments of a plant into `bits` (slabs * 2 * height * words), `scale` pixels a metre, slab 0 nearest."""
     n, plane, middle, bottom = len(parent), height * words, np.float32(words * 32), np.float32(height)
-    columns, rows, slabs = np.empty(n, np.float32), np.empty(n, np.float32), np.empty(n, np.float32)
+    columns, rows, depths = np.empty(n, np.float32), np.empty(n, np.float32), np.empty(n, np.float32)
     px, py, pz = xyz
     for i in range(n):
         columns[i] = middle + (cos * px[i] + sin * py[i]) * scale
     for i in range(n):
-        slabs[i] = (cos * py[i] - sin * px[i] - near) * per_depth * _HALF
+        depths[i] = (cos * py[i] - sin * px[i] - near) * per_depth * _HALF
     for i in range(n):
         rows[i] = bottom - pz[i] * scale
     for i in range(1, n):
         p = parent[i]
-        slab = min(max(int(slabs[i] + slabs[p]), 0), SLABS - 1)
+        slab = min(max(int(depths[i] + depths[p]), 0), slabs - 1)
         base = (slab * 2 + BRANCHES) * plane
         r1 = radius[i] * scale
         r0 = r1 if level[i] > level[p] else radius[p] * scale
@@ -146,7 +145,7 @@ def draw_branches(bits, height, words, xyz, radius, parent, level, cos, sin, sca
 
 
 @njit(cache=True, nogil=True, error_model="numpy", fastmath={"contract", "nsz", "arcp"})
-def draw_leaves(bits, height, words, position, axis, normal, size, cos, sin, scale, near, per_depth):
+def draw_leaves(bits, slabs, height, words, position, axis, normal, size, cos, sin, scale, near, per_depth):
     """Draw the leaves of a plant as ellipses; arguments as those of draw_branches.
 
     In chunks: the transform fills the rows of `seen` in loops simple enough for vector instructions, then all are drawn.
@@ -159,7 +158,7 @@ def draw_leaves(bits, height, words, position, axis, normal, size, cos, sin, sca
         _shape(seen, first, count, axis, normal, size[1], cos, sin, scale)
         middle, bottom = np.float32(words * 32), np.float32(height)
         for j in range(count):
-            slab = min(max(int(seen[SLAB + j]), 0), SLABS - 1)
+            slab = min(max(int(seen[SLAB + j]), 0), slabs - 1)
             _ellipse(
                 bits, (slab * 2 + LEAVES) * plane, height, words, middle + seen[X + j], bottom - seen[Y + j],
                 seen[REACH + j], seen[SLOPE + j], seen[HALF + j], seen[INVERSE + j],
@@ -210,7 +209,7 @@ def composite(planes, branch, foliage):
         wood_first = np.uint64(0x5555555555555555) << np.uint64(row & 1)
         for word in range(planes.shape[3]):
             covered, wood, leaves = np.uint64(0), np.uint64(0), np.uint64(0)
-            for slab in range(SLABS):
+            for slab in range(planes.shape[0]):
                 new_wood, new_leaves = planes[slab, BRANCHES, row, word], planes[slab, LEAVES, row, word]
                 both = new_wood & new_leaves
                 wood |= (new_wood ^ (both & ~wood_first)) & ~covered

@@ -1,0 +1,54 @@
+import base64
+import json
+import re
+
+import numpy as np
+import pytest
+
+from treefit.asset import AssetSettings, write_glb, write_viewer
+
+PICTURE = np.full((40, 30, 3), 120, np.uint8)
+MASK = np.ones((40, 30), np.uint8)
+
+
+@pytest.fixture
+def glb(tree, tmp_path):
+    write_glb(tree, tmp_path / "tree.glb", AssetSettings(sides=3))
+    return tmp_path / "tree.glb"
+
+
+def trees_in(page: str) -> list[dict]:
+    return json.loads(re.search(r'<script id="trees"[^>]*>(.*?)</script>', page, re.DOTALL).group(1))
+
+
+def test_the_page_holds_every_tree_whole(glb, tmp_path):
+    facts = {"score": 0.98765, "vertices": 12345, "height in m": 12.34, "cut": "no"}
+    write_viewer(tmp_path / "v.html", [("first", glb, facts), ("second", glb, {})], PICTURE, MASK)
+    trees = trees_in((tmp_path / "v.html").read_text(encoding="utf-8"))
+    assert [tree["name"] for tree in trees] == ["first", "second"]
+    assert base64.b64decode(trees[0]["glb"]) == glb.read_bytes()
+    assert dict(trees[0]["facts"]) == {"score": "0.988", "vertices": "12,345", "height in m": "12.3", "cut": "no"}
+
+
+def test_hostile_names_stay_text(glb, tmp_path):
+    name = "</script><script>alert(1)</script><!-- {{three}} \\1 é\u2028"
+    write_viewer(tmp_path / "v.html", [(name, glb, {name: name})], PICTURE, MASK)
+    page = (tmp_path / "v.html").read_text(encoding="utf-8")
+    assert "alert(1)</script>" not in page
+    assert page.count("</script>") == 3
+    assert trees_in(page)[0]["name"] == name
+    assert trees_in(page)[0]["facts"] == [[name, name]]
+
+
+def test_the_page_needs_nothing_from_outside(glb, tmp_path):
+    write_viewer(tmp_path / "v.html", [("a", glb, {})], PICTURE, MASK)
+    page = (tmp_path / "v.html").read_text(encoding="utf-8")
+    assert not re.search(r"<(script|img|link|iframe)[^>]*(src|href)=[\"'](?!data:)", page)
+    assert "localStorage" not in page
+    assert "$B64GLTF" not in page
+    assert "{{" not in page.split("<script>")[0]
+
+
+def test_a_viewer_without_trees_is_refused(tmp_path):
+    with pytest.raises(ValueError, match="one GLB file or more"):
+        write_viewer(tmp_path / "v.html", [], PICTURE, MASK)

@@ -1,0 +1,89 @@
+"""The task fit as a user runs it: same bytes whatever the workers, and after a kill."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+import yaml
+
+RUN = Path(__file__).parents[2] / "run.py"
+SMALL = ["image=pine.png", "tracking=none", "optimizer.evaluations=1500", "optimizer.generations=10",
+         "characteristics.vertices=400", "view.resolution=64", "other_seeds=2"]  # fmt: skip
+FILES = ("candidates/1/preset.yaml", "candidates/3/preset.yaml", "candidates/2/mask.png", "candidates/1/tree.glb")
+
+
+def command(folder: Path, *settings: str) -> list[str]:
+    return [sys.executable, str(RUN), f"hydra.run.dir={folder}", *settings]
+
+
+def run(folder: Path, *settings: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        command(folder, *settings), cwd=folder.parent, capture_output=True, text=True, check=True, timeout=170
+    )
+
+
+def result(folder: Path) -> list[object]:
+    facts = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
+    del facts["seconds"], facts["evaluations_per_second"]
+    lines = [json.loads(line) for line in (folder / "history.jsonl").read_text(encoding="utf-8").splitlines()]
+    timeless = [{key: value for key, value in line.items() if "second" not in key} for line in lines]
+    return [facts, timeless, (folder / "failures.jsonl").read_bytes(), *((folder / name).read_bytes() for name in FILES)]
+
+
+@pytest.fixture(scope="module")
+def done(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("fit") / "one"
+    run(folder, *SMALL, "evaluator.workers=1")
+    return folder
+
+
+def test_a_run_leaves_everything_that_was_promised(done: Path) -> None:
+    names = {str(path.relative_to(done)) for path in done.rglob("*") if path.is_file()}
+    candidate = ("tree.glb", "preset.yaml", "picture.png", "mask.png")
+    assert {f"candidates/{i}/{name}" for i in (1, 2, 3) for name in candidate} < names
+    assert {"summary.json", "history.jsonl", "mask.png", "mask_overlay.png", "gallery.png", "viewer.html",
+            "checkpoint.npz", "config.yaml"} < names  # fmt: skip
+    facts = json.loads((done / "summary.json").read_text(encoding="utf-8"))
+    assert facts["evaluations"] == 1500
+    assert facts["score"] == max(found["score"] for found in facts["candidates"])
+    assert {"score_other_seeds", "silhouette_iou", "class_iou", "vertices", "leaves", "triangles", "height_m", "width_m",
+            "values"} <= set(facts["candidates"][0])  # fmt: skip
+
+
+def test_the_same_seed_gives_the_same_bytes_on_two_workers(done: Path) -> None:
+    other = done.parent / "two"
+    run(other, *SMALL, "evaluator.workers=2")
+    assert result(other) == result(done)
+
+
+def test_a_killed_run_goes_on_to_the_same_bytes(done: Path) -> None:
+    folder = done.parent / "killed"
+    with subprocess.Popen(command(folder, *SMALL), cwd=done.parent, start_new_session=True, stderr=subprocess.DEVNULL) as child:
+        log, deadline = folder / "history.jsonl", time.monotonic() + 100
+        while not (log.exists() and log.read_bytes().count(b"\n") >= 8):
+            assert child.poll() is None, "the run ended before it could be killed"
+            assert time.monotonic() < deadline
+            time.sleep(0.005)
+        os.killpg(child.pid, signal.SIGKILL)
+    assert not (folder / "summary.json").exists()
+    subprocess.run([sys.executable, str(RUN), f"resume={folder}"], cwd=done.parent, check=True, capture_output=True)
+    assert result(folder) == result(done)
+
+
+def test_grow_takes_the_preset_back_and_makes_the_same_tree(done: Path) -> None:
+    folder = done.parent / "grown"
+    preset = done / "candidates" / "1" / "preset.yaml"
+    told = run(folder, "task=grow", f"preset={preset}")
+    facts = json.loads(told.stdout.splitlines()[-1])
+    kept = json.loads((done / "summary.json").read_text(encoding="utf-8"))["candidates"][0]
+    assert (facts["vertices"], facts["leaves"], facts["height_m"]) == (kept["vertices"], kept["leaves"], kept["height_m"])
+    assert (folder / "tree.glb").read_bytes() == (done / "candidates" / "1" / "tree.glb").read_bytes()
+    again = yaml.safe_load((folder / "preset.yaml").read_text(encoding="utf-8"))
+    assert again["values"] == yaml.safe_load(preset.read_text(encoding="utf-8"))["values"]
