@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import time
 from collections.abc import Callable
 from statistics import median
@@ -72,7 +73,7 @@ def _genomes(generator: Generator, seed: int) -> list[Genome]:
 
 
 def _away(plant: Plant) -> float:
-    return abs(np.log(plant.n_vertices / VERTICES)) + abs(np.log((plant.n_leaves + 1) / LEAVES))
+    return abs(math.log(plant.n_vertices / VERTICES)) + abs(math.log((plant.n_leaves + 1) / LEAVES))
 
 
 def _ms(call: Callable[[Any], object], arguments: list[Any]) -> float:

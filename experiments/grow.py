@@ -25,7 +25,7 @@ _log = logging.getLogger(__name__)
 
 
 def run(cfg: DictConfig) -> None:
-    """Grow cfg.generator from cfg.preset and cfg.values; write tree.glb, picture.png, preset.yaml; print one JSON line."""
+    """Grow cfg.generator from cfg.preset and cfg.values; write its files and print one JSON line last."""
     generator, folder = cast(Generator, build(cfg.generator, "generator")), run_folder()
     asset = cast(AssetSettings, build(cfg.asset, "asset"))
     values, seed = _wanted(cfg, generator)

@@ -17,6 +17,10 @@ from generators.simplegen.parameters import FIXED, LEVELS, NEUTRAL, SPACE
 from treefit.plant import Budget, ParameterSpace, Plant, Value, Values
 
 SHORTEST = 0.002  # of the trunk; shorter branches do not grow
+CROWN = (
+    "crown_bottom", "crown_peak", "crown_top", "crown_power_low", "crown_power_high", "branch_angle_change",
+    "asymmetry",
+)  # fmt: skip
 TRUNK_WOBBLE = 0.3  # the trunk is that much straighter than its branches
 
 
@@ -50,7 +54,7 @@ class SimpleGen:
         rules = [_level_rule(values, level, count, len(counts)) for level, count in enumerate(counts)]
         stems = [1]
         for rule in rules[:-1]:
-            stems.append(stems[-1] * children_of(rule.count, rule.start, rule.whorl))
+            stems.append(stems[-1] * children_of(rule.joints, rule.start, rule.whorl))
         capacity = min(1 + sum(n * count for n, count in zip(stems, counts, strict=True)), budget.vertices)
         wood = Wood(np.zeros((3, capacity), np.float32), np.empty(capacity, np.float32), np.empty(capacity, np.int32),
                     np.empty(capacity, np.int32))  # fmt: skip
@@ -59,8 +63,9 @@ class SimpleGen:
         room = 0 if cut else min((n - first) * leaf_rule.number, budget.leaves)
         leaves = Leaves(*(np.empty((rows, room), np.float32) for rows in (3, 3, 3, 2)))
         k, leaves_cut = grow_leaves(leaf_rule, keys, wood.xyz, wood.parent, n, leaves)
-        return Plant(wood.xyz[:, :n].T, wood.radius[:n], wood.parent[:n], wood.level[:n],
-                     *(array[:, :k].T for array in leaves), cut=cut or leaves_cut)  # fmt: skip
+        position, axis, normal, size = (array[:, :k].T for array in leaves)
+        return Plant(wood.xyz[:, :n].T, wood.radius[:n], wood.parent[:n], wood.level[:n], position, axis, normal, size,
+                     cut=cut or leaves_cut)  # fmt: skip
 
 
 def _grow_branches(
@@ -87,7 +92,7 @@ def _level_rule(values: Values, level: int, count: int, levels: int) -> LevelRul
     number = {name: float(value) for name, value in values.items()}
     child, trunk = min(level + 1, LEVELS - 1), level == 0
     return LevelRule(
-        level=level, last=level == levels - 1, count=count, start=number[f"branching_start_{level}"],
+        level=level, last=level == levels - 1, joints=count, start=number[f"branching_start_{level}"],
         whorl=int(number["whorl"]) if trunk else 1, angle=number[f"branch_angle_{level}"],
         length=number[f"branch_len_{child}"], radius=number[f"branch_r_{child}"], taper=number["taper"],
         upwards=0.0 if trunk else number["droop_1" if level == 1 else "droop_2"],
@@ -98,12 +103,11 @@ def _level_rule(values: Values, level: int, count: int, levels: int) -> LevelRul
 
 
 def _crown(values: Values) -> Crown:
-    names = ("bottom", "peak", "top", "power_low", "power_high")
-    return Crown(*(float(values[f"crown_{name}"]) for name in names), float(values["branch_angle_change"]),
-                 float(values["asymmetry"]))  # fmt: skip
+    bottom, peak, top, low, high, change, asymmetry = (float(values[name]) for name in CROWN)
+    return Crown(bottom, peak, top, low, high, change, asymmetry)
 
 
 def _leaf_rule(values: Values, twig: LevelRule, first: int) -> LeafRule:
     length = float(values["leaf_size"]) * float(values["branch_len_0"])
-    return LeafRule(first, twig.count, twig.start, twig.angle, float(values["leaves_count"]),
+    return LeafRule(first, twig.joints, twig.start, twig.angle, float(values["leaves_count"]),
                     int(values["leaf_number"]), length, length * float(values["leaf_width"]))  # fmt: skip

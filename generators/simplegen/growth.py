@@ -34,7 +34,7 @@ class LevelRule(NamedTuple):
 
     level: int
     last: bool  # no children but leaves
-    count: int  # joints
+    joints: int
     start: float  # bare share
     whorl: int  # children at each joint
     angle: float  # of the children
@@ -101,7 +101,7 @@ def grow_level(rule, crown, stems, keys, n_stems, wood, n, next_stems, next_keys
     Children are put into `next_stems`, `next_keys`. Return (vertices, children, whether the budget cut it).
     """
     xyz, radius, parent, level = wood
-    m, count, trunk = 0, rule.count, rule.level == 0
+    m, count, trunk = 0, rule.joints, rule.level == 0
     steps = _ONE / np.float32(count)
     rightwards, upwards = np.float32(rule.rightwards) * steps, np.float32(rule.upwards) * steps
     sway = np.float32(2.0 * rule.wobble / math.sqrt(count))
@@ -137,7 +137,7 @@ def grow_level(rule, crown, stems, keys, n_stems, wood, n, next_stems, next_keys
             reach = stems[6, s] * length * (_ONE - shortening * t)
             if trunk:
                 high = (t - start) / max(_ONE - start, _TINY)
-                reach = np.float32(stems[6, s] * length * envelope(high, crown))
+                reach = np.float32(stems[6, s] * length * envelope(float(high), crown))
                 bend = rule.angle + crown.angle_change * high
                 cosine, sine = np.float32(math.cos(bend)), np.float32(math.sin(bend))
             for w in range(rule.whorl if i < count else 1):

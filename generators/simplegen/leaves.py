@@ -20,7 +20,7 @@ class LeafRule(NamedTuple):
     """Where leaves are and how big."""
 
     first: int  # vertex of the last level
-    count: int  # joints of a branch of the last level
+    joints: int  # of a branch of the last level
     start: float  # bare share
     angle: float  # rad, to the branch
     probability: float
@@ -46,10 +46,10 @@ def grow_leaves(rule, keys, xyz, parent, n, leaves):
     cosine, sine = np.float32(math.cos(rule.angle)), np.float32(math.sin(rule.angle))
     length, width, share = np.float32(rule.length), np.float32(rule.width), np.float32(1.0 / rule.number)
     for v in range(rule.first, n):
-        i = (v - rule.first) % rule.count + 1
-        if i < rule.start * rule.count and i < rule.count:
+        i = (v - rule.first) % rule.joints + 1
+        if i < rule.start * rule.joints and i < rule.joints:
             continue
-        joint = child_key(keys[(v - rule.first) // rule.count], i)
+        joint = child_key(keys[(v - rule.first) // rule.joints], i)
         p = parent[v]
         x, y, z = xyz[0, v], xyz[1, v], xyz[2, v]
         sx, sy, sz = x - xyz[0, p], y - xyz[1, p], z - xyz[2, p]

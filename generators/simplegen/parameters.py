@@ -84,4 +84,4 @@ NEUTRAL = {
 SPACE = ParameterSpace((*_PAPER, *_ADDED))
 
 FIXED = {"branch_len_0": 10.0, "branch_r_3": 0.5, "leaf_width": 0.5}
-"""Out of the search: no picture shows the size in metres or the radius of twigs; a leaf's width does what its length does."""
+"""Not searched: no picture shows metres or the radius of twigs; a leaf's width does what its length does."""

@@ -34,7 +34,12 @@ def result(folder: Path) -> list[object]:
     del facts["seconds"], facts["evaluations_per_second"]
     lines = [json.loads(line) for line in (folder / "history.jsonl").read_text(encoding="utf-8").splitlines()]
     timeless = [{key: value for key, value in line.items() if "second" not in key} for line in lines]
-    return [facts, timeless, (folder / "failures.jsonl").read_bytes(), *((folder / name).read_bytes() for name in FILES)]
+    return [
+        facts,
+        timeless,
+        (folder / "failures.jsonl").read_bytes(),
+        *((folder / name).read_bytes() for name in FILES),
+    ]
 
 
 @pytest.fixture(scope="module")
@@ -53,7 +58,8 @@ def test_a_run_leaves_everything_that_was_promised(done: Path) -> None:
     facts = json.loads((done / "summary.json").read_text(encoding="utf-8"))
     assert facts["evaluations"] == 1500
     assert facts["score"] == max(found["score"] for found in facts["candidates"])
-    assert {"score_other_seeds", "silhouette_iou", "class_iou", "vertices", "leaves", "triangles", "height_m", "width_m",
+    assert {"score_other_seeds", "silhouette_iou", "class_iou", "vertices", "leaves", "triangles", "height_m",
+            "width_m",
             "values"} <= set(facts["candidates"][0])  # fmt: skip
 
 
@@ -65,7 +71,9 @@ def test_the_same_seed_gives_the_same_bytes_on_two_workers(done: Path) -> None:
 
 def test_a_killed_run_goes_on_to_the_same_bytes(done: Path) -> None:
     folder = done.parent / "killed"
-    with subprocess.Popen(command(folder, *SMALL), cwd=done.parent, start_new_session=True, stderr=subprocess.DEVNULL) as child:
+    with subprocess.Popen(
+        command(folder, *SMALL), cwd=done.parent, start_new_session=True, stderr=subprocess.DEVNULL
+    ) as child:
         log, deadline = folder / "history.jsonl", time.monotonic() + 100
         while not (log.exists() and log.read_bytes().count(b"\n") >= 8):
             assert child.poll() is None, "the run ended before it could be killed"
@@ -83,7 +91,11 @@ def test_grow_takes_the_preset_back_and_makes_the_same_tree(done: Path) -> None:
     told = run(folder, "task=grow", f"preset={preset}")
     facts = json.loads(told.stdout.splitlines()[-1])
     kept = json.loads((done / "summary.json").read_text(encoding="utf-8"))["candidates"][0]
-    assert (facts["vertices"], facts["leaves"], facts["height_m"]) == (kept["vertices"], kept["leaves"], kept["height_m"])
+    assert (facts["vertices"], facts["leaves"], facts["height_m"]) == (
+        kept["vertices"],
+        kept["leaves"],
+        kept["height_m"],
+    )
     assert (folder / "tree.glb").read_bytes() == (done / "candidates" / "1" / "tree.glb").read_bytes()
     again = yaml.safe_load((folder / "preset.yaml").read_text(encoding="utf-8"))
     assert again["values"] == yaml.safe_load(preset.read_text(encoding="utf-8"))["values"]

@@ -1,5 +1,7 @@
 from __future__ import annotations
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 
@@ -16,7 +18,7 @@ def test_levels_are_asked_as_one_batch_from_the_leaves_to_the_root() -> None:
         search.tell(np.random.default_rng(search.told).random(len(search.ask())))
     assert nodes[0] == 2 ** (search.depth - 1)
     assert nodes[-1] == 1
-    assert all(later <= earlier for earlier, later in zip(nodes, nodes[1:], strict=False))
+    assert all(later <= earlier for earlier, later in pairwise(nodes))
 
 
 def test_elementary_gas_do_not_depend_on_each_other() -> None:

@@ -1,5 +1,7 @@
 from __future__ import annotations
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 
@@ -31,7 +33,9 @@ def test_similarity_stays_between_zero_and_one(plants: list[Plant]) -> None:
 
 def test_mirrored_pairs_are_as_similar(plants: list[Plant]) -> None:
     one, two = (OrthographicView()(plant, Frame(128, 4)).unpack() for plant in plants[:2])
-    assert compare(one, two) == pytest.approx(compare(one[:, ::-1].copy(), two[:, ::-1].copy()), abs=1e-3)  # ties of the longest run
+    assert compare(one, two) == pytest.approx(
+        compare(one[:, ::-1].copy(), two[:, ::-1].copy()), abs=1e-3
+    )  # ties of the longest run
 
 
 @pytest.mark.parametrize(
@@ -46,7 +50,7 @@ def test_mirrored_pairs_are_as_similar(plants: list[Plant]) -> None:
 )
 def test_similarity_falls_with_every_step_away(steps: list[Mask]) -> None:
     values = [compare(steps[0], step) for step in steps]
-    assert all(later < earlier for earlier, later in zip(values, values[1:], strict=False))
+    assert all(later < earlier for earlier, later in pairwise(values))
 
 
 def test_similarity_falls_when_the_crown_is_thinned() -> None:
@@ -54,7 +58,7 @@ def test_similarity_falls_when_the_crown_is_thinned() -> None:
     noise = np.random.default_rng(0).random(full.shape)
     values = [compare(full, np.where((full == FOLIAGE) & (noise < share), 0, full).astype(np.uint8))
               for share in (0.0, 0.1, 0.2, 0.4, 0.6)]  # fmt: skip
-    assert all(later < earlier for earlier, later in zip(values, values[1:], strict=False))
+    assert all(later < earlier for earlier, later in pairwise(values))
 
 
 def test_a_tree_without_trunk_can_score_one_and_nothing_scores_nothing() -> None:

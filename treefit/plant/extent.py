@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from treefit.plant.plant import Plant
 
 Row: TypeAlias = NDArray[np.float32]  # (v,) or (k,), contiguous
-Rows: TypeAlias = tuple[tuple[Row, ...], ...]
+Rows: TypeAlias = tuple[tuple[Row, ...], tuple[Row, ...], tuple[Row, ...], tuple[Row, ...], tuple[Row, ...]]
 
 
 def rows_of(plant: Plant) -> Rows:
@@ -21,8 +21,14 @@ def rows_of(plant: Plant) -> Rows:
 
     Nothing is copied where the arrays of the plant are structures of arrays, as those of fast generators are.
     """
-    arrays = (plant.position, plant.leaf_position, plant.leaf_axis, plant.leaf_normal, plant.leaf_size)
-    return tuple(tuple(np.ascontiguousarray(row, np.float32) for row in array.T) for array in arrays)
+    return (
+        _rows(plant.position), _rows(plant.leaf_position), _rows(plant.leaf_axis), _rows(plant.leaf_normal),
+        _rows(plant.leaf_size),
+    )  # fmt: skip
+
+
+def _rows(array: NDArray[np.float32]) -> tuple[Row, ...]:
+    return tuple(np.ascontiguousarray(row, np.float32) for row in array.T)
 
 
 @dataclass(frozen=True)
@@ -43,7 +49,8 @@ class Extent:
 
 def extent_of(plant: Plant) -> Extent:
     """Measure a plant as seen along +y."""
-    return Extent(*(float(number) for number in extent(*rows_of(plant), np.float32(1.0), np.float32(0.0))))
+    top, left, right, near, far = extent(*rows_of(plant), np.float32(1.0), np.float32(0.0))
+    return Extent(float(top), float(left), float(right), float(near), float(far))
 
 
 @njit(cache=True, nogil=True, error_model="numpy")

@@ -72,7 +72,7 @@ def check_plant(plant: Plant) -> None:
 @njit(cache=True, nogil=True)
 def ascending(parent):
     """Whether every parent comes before its child."""
+    in_order = True
     for i in range(len(parent)):
-        if parent[i] >= i:
-            return False
-    return True
+        in_order &= parent[i] < i
+    return in_order

@@ -61,8 +61,10 @@ class RandomRun:
     def state(self) -> dict[str, NDArray[np.generic]]:
         """Archive and counter."""
         return {
-            "archive_genomes": self.archive.genomes, "archive_scores": self.archive.scores, "told": np.array([self.told]),
-        }  # fmt: skip
+            "archive_genomes": self.archive.genomes,
+            "archive_scores": self.archive.scores,
+            "told": np.array([self.told]),
+        }
 
     def restore(self, state: State) -> None:
         """Go on from `state`."""

@@ -22,6 +22,7 @@ class PaperSimilarity:
     stripes: int = Field(default=24, ge=4, le=64)
     cross: float = Field(default=0.9, ge=0, le=1)
     trunk_share: float = Field(default=0.67, gt=0.5, le=1)
+    wood_slack: float = Field(default=0.1, gt=0, le=10)
 
     def describe(self, bits: BitMask) -> Stripes:
         """Stripes of a mask: what is kept of the target and taken of every candidate."""
@@ -33,7 +34,7 @@ class PaperSimilarity:
             image_similarity(
                 target.crown, target.dense, target.branch, target.foliage,
                 plant.crown, plant.dense, plant.branch, plant.foliage,
-                np.float32(self.cross), np.float32(self.trunk_share),
+                np.float32(self.cross), np.float32(self.trunk_share), np.float32(self.wood_slack),
             )
         )  # fmt: skip
 
@@ -62,7 +63,9 @@ def _smoothstep(x):
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
-def image_similarity(crown1, dense1, branch1, foliage1, crown2, dense2, branch2, foliage2, cross, trunk_share):
+def image_similarity(
+    crown1, dense1, branch1, foliage1, crown2, dense2, branch2, foliage2, cross, trunk_share, wood_slack
+):
     """ImSim of the stripes 1 (picture) and 2 (plant)."""
     found = most = trunk_found = trunk_most = 0.0
     n_used = n_trunk = 0
@@ -77,7 +80,7 @@ def image_similarity(crown1, dense1, branch1, foliage1, crown2, dense2, branch2,
         wood2 = branch2[s] / max(branch2[s] + foliage2[s], 1e-6)
         fill = wood1 * _ratio(branch1[s], branch2[s]) + (1.0 - wood1) * _ratio(foliage1[s], foliage2[s])
         gained = _smoothstep(_full(match / widest)) * widest
-        gained *= _smoothstep(max(np.sqrt(min(fill, 1.0)), 0.01)) * _ratio(wood1 + 0.1, wood2 + 0.1)
+        gained *= _smoothstep(max(np.sqrt(min(fill, 1.0)), 0.01)) * _ratio(wood1 + wood_slack, wood2 + wood_slack)
         found += gained
         most += widest
         if wood1 > trunk_share:  # "according to the ratio B/L each stripe refers either to the crown or to the trunk"

@@ -148,7 +148,7 @@ def draw_branches(bits, slabs, height, words, xyz, radius, parent, level, cos, s
 def draw_leaves(bits, slabs, height, words, position, axis, normal, size, cos, sin, scale, near, per_depth):
     """Draw the leaves of a plant as ellipses; arguments as those of draw_branches.
 
-    In chunks: the transform fills the rows of `seen` in loops simple enough for vector instructions, then all are drawn.
+    In chunks: the transform fills the rows of `seen` in loops simple enough for vector instructions.
     """
     seen = np.empty(ROWS * CHUNK, np.float32)
     plane = height * words
