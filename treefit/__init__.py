@@ -1,1 +1,22 @@
 """Fits parameters of procedural plant generators to one picture of a tree."""
+
+from treefit.asset import AssetSettings, write_glb, write_preset
+from treefit.candidates import Candidate
+from treefit.fit import Result, Stop, fit
+from treefit.objective import Score
+from treefit.plant.characteristics import Characteristics
+from treefit.search import RandomSearch, TreeGA
+
+__all__ = [
+    "AssetSettings",
+    "Candidate",
+    "Characteristics",
+    "RandomSearch",
+    "Result",
+    "Score",
+    "Stop",
+    "TreeGA",
+    "fit",
+    "write_glb",
+    "write_preset",
+]

@@ -11,7 +11,7 @@ from typing import ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from generators.simplegen.growth import STEM_FIELDS, Crown, LevelRule, Wood, children_of, grow_level
+from generators.simplegen.growth import STEM_FIELDS, Crown, LevelRule, Wood, grow_level
 from generators.simplegen.leaves import LeafRule, Leaves, grow_leaves
 from generators.simplegen.parameters import FIXED, LEVELS, NEUTRAL, SPACE
 from treefit.plant import Budget, ParameterSpace, Plant, Value, Values
@@ -21,6 +21,7 @@ CROWN = (
     "crown_bottom", "crown_peak", "crown_top", "crown_power_low", "crown_power_high", "branch_angle_change",
     "asymmetry",
 )  # fmt: skip
+BARE_JOINTS = 6  # of the bare part of the trunk; that of a branch is one segment with its first joint
 TRUNK_WOBBLE = 0.3  # the trunk is that much straighter than its branches
 
 
@@ -54,8 +55,8 @@ class SimpleGen:
         rules = [_level_rule(values, level, count, len(counts)) for level, count in enumerate(counts)]
         stems = [1]
         for rule in rules[:-1]:
-            stems.append(stems[-1] * children_of(rule.joints, rule.start, rule.whorl))
-        capacity = min(1 + sum(n * count for n, count in zip(stems, counts, strict=True)), budget.vertices)
+            stems.append(stems[-1] * ((rule.joints - 1) * rule.whorl + 1))
+        capacity = min(1 + sum(n * (rule.bare_joints + rule.joints) for n, rule in zip(stems, rules, strict=True)), budget.vertices)
         wood = Wood(np.zeros((3, capacity), np.float32), np.empty(capacity, np.float32), np.empty(capacity, np.int32),
                     np.empty(capacity, np.int32))  # fmt: skip
         first, n, keys, cut = _grow_branches(values, rules, stems, wood, seed)
@@ -92,7 +93,7 @@ def _level_rule(values: Values, level: int, count: int, levels: int) -> LevelRul
     number = {name: float(value) for name, value in values.items()}
     child, trunk = min(level + 1, LEVELS - 1), level == 0
     return LevelRule(
-        level=level, last=level == levels - 1, joints=count, start=number[f"branching_start_{level}"],
+        level=level, last=level == levels - 1, joints=count, bare_joints=BARE_JOINTS if trunk else 0, start=number[f"branching_start_{level}"],
         whorl=int(number["whorl"]) if trunk else 1, angle=number[f"branch_angle_{level}"],
         length=number[f"branch_len_{child}"], radius=number[f"branch_r_{child}"], taper=number["taper"],
         upwards=0.0 if trunk else number["droop_1" if level == 1 else "droop_2"],
@@ -109,5 +110,5 @@ def _crown(values: Values) -> Crown:
 
 def _leaf_rule(values: Values, twig: LevelRule, first: int) -> LeafRule:
     length = float(values["leaf_size"]) * float(values["branch_len_0"])
-    return LeafRule(first, twig.joints, twig.start, twig.angle, float(values["leaves_count"]),
+    return LeafRule(first, twig.joints, twig.angle, float(values["leaves_count"]),
                     int(values["leaf_number"]), length, length * float(values["leaf_width"]))  # fmt: skip

@@ -34,7 +34,8 @@ class LevelRule(NamedTuple):
 
     level: int
     last: bool  # no children but leaves
-    joints: int
+    joints: int  # of the branching part; each carries children
+    bare_joints: int  # of the bare part
     start: float  # bare share
     whorl: int  # children at each joint
     angle: float  # of the children
@@ -56,16 +57,6 @@ class Wood(NamedTuple):
     radius: NDArray[np.float32]
     parent: NDArray[np.int32]
     level: NDArray[np.int32]
-
-
-@njit(cache=True, nogil=True, error_model="numpy", fastmath={"contract", "nsz", "arcp"})
-def children_of(count: int, start: float, whorl: int) -> int:
-    """Count of children of a branch with `count` joints, bare up to the share `start`."""
-    n = 1
-    for i in range(1, count):
-        if i >= start * count:
-            n += whorl
-    return n
 
 
 @njit(cache=True, nogil=True, error_model="numpy", fastmath={"contract", "nsz", "arcp"})
@@ -101,18 +92,18 @@ def grow_level(rule, crown, stems, keys, n_stems, wood, n, next_stems, next_keys
     Children are put into `next_stems`, `next_keys`. Return (vertices, children, whether the budget cut it).
     """
     xyz, radius, parent, level = wood
-    m, count, trunk = 0, rule.joints, rule.level == 0
-    steps = _ONE / np.float32(count)
-    rightwards, upwards = np.float32(rule.rightwards) * steps, np.float32(rule.upwards) * steps
+    m, trunk = 0, rule.level == 0
+    bare, count = rule.bare_joints, rule.bare_joints + rule.joints
     sway = np.float32(2.0 * rule.wobble / math.sqrt(count))
     shrink, start = np.float32(1.0 - rule.taper), np.float32(rule.start)
+    high_step = (_ONE - start) / np.float32(rule.joints)
     length, shortening = np.float32(rule.length), np.float32(rule.shortening)
     variation, per_whorl = np.float32(rule.variation), np.float32(1.0 / rule.whorl)
     cosine, sine = np.float32(math.cos(rule.angle)), np.float32(math.sin(rule.angle))
     for s in range(n_stems):
         x, y, z = stems[0, s], stems[1, s], stems[2, s]
         dx, dy, dz = stems[3, s], stems[4, s], stems[5, s]
-        step = stems[6, s] * steps
+        t = _ZERO
         before = np.int32(stems[8, s])
         sum_x = sum_y = _ZERO
         for i in range(1, count + 1):
@@ -120,23 +111,26 @@ def grow_level(rule, crown, stems, keys, n_stems, wood, n, next_stems, next_keys
                 return n, m, True
             joint = child_key(keys[s], i)
             wx, wy, wz, spin = four(joint)
+            now = start * np.float32(i) / np.float32(bare) if i <= bare else start + high_step * np.float32(i - bare)
+            step, t = now - t, now
+            rightwards, upwards = np.float32(rule.rightwards) * step, np.float32(rule.upwards) * step
+            step *= stems[6, s]
             dx, dy, dz = unit(
                 dx + sway * (wx - _HALF) + rightwards, dy + sway * (wy - _HALF), dz + sway * (wz - _HALF) + upwards
             )  # fmt: skip
             x += dx * step
             y += dy * step
             z = max(z + dz * step, _ZERO)
-            t = np.float32(i) * steps
             r = stems[7, s] * (_ONE - t * shrink)
             xyz[0, n], xyz[1, n], xyz[2, n] = x, y, z
             radius[n], parent[n], level[n] = r, before, rule.level
             before = np.int32(n)
             n += 1
-            if rule.last or (i < rule.start * count and i < count):
+            if rule.last or i <= bare:
                 continue
             reach = stems[6, s] * length * (_ONE - shortening * t)
             if trunk:
-                high = (t - start) / max(_ONE - start, _TINY)
+                high = np.float32(i - bare) / np.float32(rule.joints)
                 reach = np.float32(stems[6, s] * length * envelope(float(high), crown))
                 bend = rule.angle + crown.angle_change * high
                 cosine, sine = np.float32(math.cos(bend)), np.float32(math.sin(bend))

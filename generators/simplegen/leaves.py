@@ -21,7 +21,6 @@ class LeafRule(NamedTuple):
 
     first: int  # vertex of the last level
     joints: int  # of a branch of the last level
-    start: float  # bare share
     angle: float  # rad, to the branch
     probability: float
     number: int  # at each joint
@@ -47,8 +46,6 @@ def grow_leaves(rule, keys, xyz, parent, n, leaves):
     length, width, share = np.float32(rule.length), np.float32(rule.width), np.float32(1.0 / rule.number)
     for v in range(rule.first, n):
         i = (v - rule.first) % rule.joints + 1
-        if i < rule.start * rule.joints and i < rule.joints:
-            continue
         joint = child_key(keys[(v - rule.first) // rule.joints], i)
         p = parent[v]
         x, y, z = xyz[0, v], xyz[1, v], xyz[2, v]

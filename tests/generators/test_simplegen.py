@@ -5,7 +5,7 @@ import pytest
 from scipy.stats import spearmanr
 
 from generators.simplegen import SimpleGen
-from generators.simplegen.growth import Crown, children_of, envelope
+from generators.simplegen.growth import Crown, envelope
 from generators.simplegen.parameters import NEUTRAL
 from tests.conftest import blob
 from treefit.fit import aim
@@ -52,7 +52,7 @@ def test_branches_are_as_long_as_the_envelope_says() -> None:
 def test_children_are_counted_as_they_grow(count: int, start: float, whorl: int) -> None:
     plant = grow(branch_count_0=count, branching_start_0=start, whorl=whorl, length_variation=0.0, crown_top=1.0)
     stems = ((plant.level[1:] == 1) & (plant.level[plant.parent[1:]] == 0)).sum()
-    assert stems == children_of(count, start, whorl)
+    assert stems == (count - 1) * whorl + 1
 
 
 def test_radius_never_grows_towards_the_tip() -> None:
