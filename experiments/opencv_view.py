@@ -59,5 +59,5 @@ def _leaves(plant: Plant) -> tuple[np.ndarray, np.ndarray]:
 
 def _pixels(corners: np.ndarray, scale: float, frame: Frame) -> np.ndarray:
     pixels = np.stack([frame.width / 2 + corners[..., 0] * scale, frame.height - corners[..., 1] * scale], axis=-1)
-    rounded: np.ndarray = np.round((pixels - 0.5) * 2**SHIFT).astype(np.int32)
+    rounded: np.ndarray = np.round((pixels - 0.5) * 2**SHIFT).astype(np.int32, order="C")
     return rounded

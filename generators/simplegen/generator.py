@@ -56,7 +56,9 @@ class SimpleGen:
         stems = [1]
         for rule in rules[:-1]:
             stems.append(stems[-1] * ((rule.joints - 1) * rule.whorl + 1))
-        capacity = min(1 + sum(n * (rule.bare_joints + rule.joints) for n, rule in zip(stems, rules, strict=True)), budget.vertices)
+        capacity = min(
+            1 + sum(n * (rule.bare_joints + rule.joints) for n, rule in zip(stems, rules, strict=True)), budget.vertices
+        )
         wood = Wood(np.zeros((3, capacity), np.float32), np.empty(capacity, np.float32), np.empty(capacity, np.int32),
                     np.empty(capacity, np.int32))  # fmt: skip
         first, n, keys, cut = _grow_branches(values, rules, stems, wood, seed)

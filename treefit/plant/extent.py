@@ -49,27 +49,43 @@ class Extent:
 
 def extent_of(plant: Plant) -> Extent:
     """Measure a plant as seen along +y."""
-    top, left, right, near, far = extent(*rows_of(plant), np.float32(1.0), np.float32(0.0))
+    rows = rows_of(plant)
+    top, near, far = height_and_depth(*rows, np.float32(1.0), np.float32(0.0))
+    left, right = sides(*rows)
     return Extent(float(top), float(left), float(right), float(near), float(far))
 
 
+@njit(cache=True, nogil=True, error_model="numpy", fastmath={"nnan", "nsz", "contract", "arcp", "reassoc"})
+def height_and_depth(xyz, leaf_xyz, leaf_axis, leaf_normal, leaf_size, cos, sin):
+    """Height of the plant, nearest and farthest vertex when it is turned by the angle of `cos` and `sin`, in metres."""
+    px, py, pz = xyz
+    top, near, far = np.float32(1e-6), np.float32(1e30), np.float32(-1e30)
+    for i in range(len(px)):
+        top = pz[i] if pz[i] > top else top
+    for i in range(len(px)):
+        depth = cos * py[i] - sin * px[i]
+        near = depth if depth < near else near
+        far = depth if depth > far else far
+    ax, ay, az = leaf_axis
+    nx, ny, _ = leaf_normal
+    length, width = leaf_size
+    lz, half = leaf_xyz[2], np.float32(0.5)
+    for i in range(len(lz)):
+        a, b = half * az[i] * length[i], half * (nx[i] * ay[i] - ny[i] * ax[i]) * width[i]
+        tip = lz[i] + a + math.sqrt(a * a + b * b)
+        top = tip if tip > top else top
+    return top, near, far
+
+
 @njit(cache=True, nogil=True, error_model="numpy")
-def extent(xyz, leaf_xyz, leaf_axis, leaf_normal, leaf_size, cos, sin):
-    """Height, left, right, near, far of the plant turned by the angle of `cos` and `sin`, in metres."""
-    top, left, right = np.float32(1e-6), np.float32(0.0), np.float32(0.0)
-    near, far = np.float32(1e30), np.float32(-1e30)
-    for i in range(len(xyz[0])):
-        x, depth = cos * xyz[0][i] + sin * xyz[1][i], cos * xyz[1][i] - sin * xyz[0][i]
-        top, near, far = max(top, xyz[2][i]), min(near, depth), max(far, depth)
-        left, right = min(left, x), max(right, x)
-    for i in range(len(leaf_size[0])):
-        long, wide = np.float32(0.5) * leaf_size[0][i], np.float32(0.5) * leaf_size[1][i]
-        ax, ay, az = leaf_axis[0][i], leaf_axis[1][i], leaf_axis[2][i]
-        nx, ny, nz = leaf_normal[0][i], leaf_normal[1][i], leaf_normal[2][i]
-        a, b = az * long, (nx * ay - ny * ax) * wide
-        top = max(top, leaf_xyz[2][i] + a + np.float32(math.sqrt(a * a + b * b)))
-        a = (cos * ax + sin * ay) * long
-        b = (cos * (ny * az - nz * ay) + sin * (nz * ax - nx * az)) * wide
-        x, reach = cos * leaf_xyz[0][i] + sin * leaf_xyz[1][i] + a, np.float32(math.sqrt(a * a + b * b))
+def sides(xyz, leaf_xyz, leaf_axis, leaf_normal, leaf_size):
+    """Least and greatest x of the plant, leaves included, in metres; the trunk base is at 0."""
+    left, right = min(np.float32(0.0), xyz[0].min()), max(np.float32(0.0), xyz[0].max())
+    ax, ay, az = leaf_axis
+    nx, ny, nz = leaf_normal
+    for i in range(len(ax)):
+        a = np.float32(0.5) * ax[i] * leaf_size[0][i]
+        b = np.float32(0.5) * (ny[i] * az[i] - nz[i] * ay[i]) * leaf_size[1][i]
+        x, reach = leaf_xyz[0][i] + a, math.sqrt(a * a + b * b)
         left, right = min(left, x - reach), max(right, x + reach)
-    return top, left, right, near, far
+    return left, right

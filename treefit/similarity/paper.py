@@ -17,12 +17,16 @@ from treefit.view.frame import BitMask
 
 @dataclass(frozen=True, config=ConfigDict(extra="forbid"))
 class PaperSimilarity:
-    """Compares masks by `stripes` bands; `cross` is what dense crown over sparse crown counts."""
+    """Compares masks by `stripes` bands; `cross` is what dense crown over sparse crown counts.
+
+    `wood_slack` is added to both shares of wood before they are compared: at 0.1 (its authors) a tenth of visible twigs
+    halves a stripe, though masks of photographs call such twigs foliage.
+    """
 
     stripes: int = Field(default=24, ge=4, le=64)
     cross: float = Field(default=0.9, ge=0, le=1)
     trunk_share: float = Field(default=0.67, gt=0.5, le=1)
-    wood_slack: float = Field(default=0.1, gt=0, le=10)
+    wood_slack: float = Field(default=1.0, gt=0, le=10)
 
     def describe(self, bits: BitMask) -> Stripes:
         """Stripes of a mask: what is kept of the target and taken of every candidate."""

@@ -11,7 +11,7 @@ from pydantic import ConfigDict, Field
 from pydantic.dataclasses import dataclass
 
 from treefit.plant import Plant
-from treefit.plant.extent import extent, rows_of
+from treefit.plant.extent import height_and_depth, rows_of
 from treefit.view.frame import BitMask, Frame
 from treefit.view.raster import composite, draw_branches, draw_leaves
 
@@ -32,7 +32,7 @@ class OrthographicView:
         xyz, leaf_xyz, axis, normal, size = rows_of(plant)
         angle = math.radians(self.azimuth)
         cos, sin = np.float32(math.cos(angle)), np.float32(math.sin(angle))
-        top, _, _, near, far = extent(xyz, leaf_xyz, axis, normal, size, cos, sin)
+        top, near, far = height_and_depth(xyz, leaf_xyz, axis, normal, size, cos, sin)
         slabs = SLABS if frame.height <= 128 else FINE_SLABS
         shape, window = (slabs, 2, frame.height, frame.words), (slabs, frame.height, frame.words)
         bits = np.zeros(math.prod(shape) + 1, np.uint64)  # one word more: spans touch the word behind them

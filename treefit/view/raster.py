@@ -1,6 +1,6 @@
 """Rasteriser of plants into bit rows: one bit a pixel, one plane a class and depth slab, spans OR-ed in.
 
-A pixel belongs to a primitive when its centre does, so that thin twigs and small leaves keep their mean area. A leaf
+A pixel belongs to a primitive when its centre does, int(edge + 1/2) being the first centre at or behind an edge, so that thin twigs and small leaves keep their mean area. A leaf
 is the ellipse of its own length and width, a segment a tapered quad, a thick joint also a disc.
 """
 
@@ -27,9 +27,8 @@ def _span(bits, start, words, left, right):
 
     Without branches up to 63 pixels: an empty span sets nothing, and the word behind may be touched but not changed.
     """
-    first = max(int(math.ceil(left - _HALF)), 0)
-    last = min(int(math.floor(right - _HALF)), words * 64 - 1)
-    count = last - first + 1
+    first, end = max(int(left + _HALF), 0), min(int(right + _HALF), words * 64)
+    count = end - first
     if count < 64:
         mask = (_ONE_BIT << np.uint64(max(count, 0))) - _ONE_BIT
         shift = np.uint64(first) & _63
@@ -37,6 +36,7 @@ def _span(bits, start, words, left, right):
         bits[word] |= mask << shift
         bits[word + 1] |= (mask >> _ONE_BIT) >> (_63 - shift)
         return
+    last = end - 1
     a, b = first >> 6, last >> 6
     bits[start + a] |= _ALL << (np.uint64(first) & _63)
     for word in range(start + a + 1, start + b):
@@ -47,11 +47,10 @@ def _span(bits, start, words, left, right):
 @njit(inline="always", error_model="numpy", fastmath={"contract", "nsz", "arcp"})
 def _ellipse(bits, base, height, words, x, y, reach, slope, half, inverse):
     """Fill the ellipse around (x, y): `reach` rows up and down, its middle moving by `slope` columns a row."""
-    first = max(int(math.ceil(y - reach - _HALF)), 0)
-    last = min(int(math.floor(y + reach - _HALF)), height - 1)
+    first, end = max(int(y - reach + _HALF), 0), min(int(y + reach + _HALF), height)
     dy = np.float32(first) + _HALF - y
     start = base + first * words
-    for _ in range(first, last + 1):
+    for _ in range(first, end):
         width = half * math.sqrt(max(_ONE - dy * dy * inverse, _ZERO))
         middle = x + slope * dy
         _span(bits, start, words, middle - width, middle + width)
@@ -69,22 +68,21 @@ def _line(bits, base, height, words, x0, y0, r0, x1, y1, r1):
     if u1 < u0:
         u0, u1, v0, dv, r0, r1 = u1, u0, v0 + dv, -dv, r1, r0
     limit = height if steep else words * 64
-    first, last = max(int(math.ceil(u0 - _HALF)), 0), min(int(math.floor(u1 - _HALF)), limit - 1)
-    if first > last:
+    first, end = max(int(u0 + _HALF), 0), min(int(u1 + _HALF), limit)
+    if first >= end:
         return
     per = _ONE / (u1 - u0)
     across = long * per
     t = (np.float32(first) + _HALF - u0) * per
-    for step in range(first, last + 1):
+    for step in range(first, end):
         half = (r0 + (r1 - r0) * t) * across
         middle = v0 + dv * t
         if steep:
             _span(bits, base + step * words, words, middle - half, middle + half)
         else:
-            low = max(int(math.ceil(middle - half - _HALF)), 0)
-            high = min(int(math.floor(middle + half - _HALF)), height - 1)
+            low, high = max(int(middle - half + _HALF), 0), min(int(middle + half + _HALF), height)
             bit = np.uint64(1) << (np.uint64(step) & _63)
-            for row in range(low, high + 1):
+            for row in range(low, high):
                 bits[base + row * words + (step >> 6)] |= bit
         t += per
 
@@ -106,9 +104,9 @@ def _quad(bits, base, height, words, x0, y0, r0, x1, y1, r1):
     nx, ny = -dy * scale, dx * scale
     xa, ya, xb, yb = x0 + nx * r0, y0 + ny * r0, x1 + nx * r1, y1 + ny * r1
     xc, yc, xd, yd = x1 - nx * r1, y1 - ny * r1, x0 - nx * r0, y0 - ny * r0
-    first = max(int(math.ceil(min(min(ya, yb), min(yc, yd)) - _HALF)), 0)
-    last = min(int(math.floor(max(max(ya, yb), max(yc, yd)) - _HALF)), height - 1)
-    for row in range(first, last + 1):
+    first = max(int(min(min(ya, yb), min(yc, yd)) + _HALF), 0)
+    end = min(int(max(max(ya, yb), max(yc, yd)) + _HALF), height)
+    for row in range(first, end):
         y = np.float32(row) + _HALF
         left, right = np.float32(1e9), np.float32(-1e9)
         left, right = _crossing(y, xa, ya, xb, yb, left, right)
