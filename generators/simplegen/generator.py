@@ -95,7 +95,8 @@ def _level_rule(values: Values, level: int, count: int, levels: int) -> LevelRul
     number = {name: float(value) for name, value in values.items()}
     child, trunk = min(level + 1, LEVELS - 1), level == 0
     return LevelRule(
-        level=level, last=level == levels - 1, joints=count, bare_joints=BARE_JOINTS if trunk else 0, start=number[f"branching_start_{level}"],
+        level=level, last=level == levels - 1, joints=count, bare_joints=BARE_JOINTS if trunk else 0,
+        start=number[f"branching_start_{level}"],
         whorl=int(number["whorl"]) if trunk else 1, angle=number[f"branch_angle_{level}"],
         length=number[f"branch_len_{child}"], radius=number[f"branch_r_{child}"], taper=number["taper"],
         upwards=0.0 if trunk else number["droop_1" if level == 1 else "droop_2"],

@@ -82,7 +82,7 @@ def sides(xyz, leaf_xyz, leaf_axis, leaf_normal, leaf_size):
     """Least and greatest x of the plant, leaves included, in metres; the trunk base is at 0."""
     left, right = min(np.float32(0.0), xyz[0].min()), max(np.float32(0.0), xyz[0].max())
     ax, ay, az = leaf_axis
-    nx, ny, nz = leaf_normal
+    _, ny, nz = leaf_normal
     for i in range(len(ax)):
         a = np.float32(0.5) * ax[i] * leaf_size[0][i]
         b = np.float32(0.5) * (ny[i] * az[i] - nz[i] * ay[i]) * leaf_size[1][i]

@@ -1,7 +1,8 @@
 """Rasteriser of plants into bit rows: one bit a pixel, one plane a class and depth slab, spans OR-ed in.
 
-A pixel belongs to a primitive when its centre does, int(edge + 1/2) being the first centre at or behind an edge, so that thin twigs and small leaves keep their mean area. A leaf
-is the ellipse of its own length and width, a segment a tapered quad, a thick joint also a disc.
+A pixel belongs to a primitive when its centre does, int(edge + 1/2) being the first centre at or behind an edge, so
+that thin twigs and small leaves keep their mean area. A leaf is the ellipse of its own length and width, a segment a
+tapered quad (a line where it is thin), a thick joint also a disc.
 """
 
 from __future__ import annotations
