@@ -6,6 +6,7 @@ from omegaconf import OmegaConf
 from experiments.build import build
 from experiments.check import CONFIG_FOLDER, check, check_names
 from experiments.errors import UserError
+from treefit.view.gl import gl_missing
 
 
 @pytest.fixture(autouse=True)
@@ -88,6 +89,8 @@ OPTIONS = sorted(
 
 @pytest.mark.parametrize("option", OPTIONS)
 def test_every_option_of_every_group_is_right(option: str) -> None:
+    if option == "view=pyrender" and (missing := gl_missing()):
+        pytest.skip(missing)
     check(["image=tree.png", option], sweep=False)
 
 
