@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from PIL import Image, ImageDraw, ImageFont
+from PIL import Image, ImageDraw
 
 from experiments.sweep_table import Job, SweepTable
+from treefit.asset.font import font
 from treefit.image import PictureError, read_picture
 
 CELL, GAP, CAPTION, HEAD = 256, 16, 40, 44
@@ -64,11 +65,11 @@ def _place(sheet: Image.Image, image: Image.Image | None, x: int, y: int) -> Non
 
 def _text(sheet: Image.Image, text: str, at: tuple[int, int], colour: tuple[int, int, int]) -> None:
     """Write `text` on one line, cut to the width of a cell."""
-    font = ImageFont.load_default(17)
+    letters = font(16)
     shown = text
-    while len(shown) > 1 and font.getlength(shown) > CELL - max(0, (at[0] - GAP) % (CELL + GAP)):
+    while len(shown) > 1 and letters.getlength(shown) > CELL - max(0, (at[0] - GAP) % (CELL + GAP)):
         shown = shown.rstrip("…")[:-1] + "…"
-    ImageDraw.Draw(sheet).text(at, shown, fill=colour, font=font)
+    ImageDraw.Draw(sheet).text(at, shown, fill=colour, font=letters)
 
 
 def _left(x: int) -> int:

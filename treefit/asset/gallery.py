@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from functools import cache
 
 import numpy as np
 from numpy.typing import NDArray
-from PIL import Image, ImageDraw, ImageFont
+from PIL import Image, ImageDraw
 
+from treefit.asset.font import font
 from treefit.asset.frame import BASE_SHARE, TREE_SHARE
 from treefit.mask import PALETTE, Mask, check_mask
 
@@ -19,7 +19,7 @@ _HEIGHT = 420  # pixels of a panel
 _NARROWEST, _WIDEST = 0.6, 1.6  # widths of panels in their heights
 _MARGIN, _GAP = 32, 14
 _PAPER, _INK, _FAINT, _LINE = (255, 255, 255), (34, 34, 34), (110, 110, 110), (222, 222, 222)
-_TITLE, _NAME, _CAPTION = 24, 17, 14  # font sizes
+_TITLE, _NAME, _CAPTION = 22, 15, 12  # font sizes
 _TOP = _MARGIN + _TITLE + 18
 
 
@@ -62,7 +62,7 @@ class _Column:
     @property
     def width(self) -> int:
         """Pixels, of the panels and of the text."""
-        text = [_font(_CAPTION).getlength(line) for line in self.caption] + [_font(_NAME).getlength(self.name)]
+        text = [font(_CAPTION).getlength(line) for line in self.caption] + [font(_NAME).getlength(self.name)]
         return max(self.panels[0].width, int(min(max(text) + 1, _HEIGHT * _WIDEST)))
 
 
@@ -73,17 +73,17 @@ def _page(columns: list[_Column], title: str) -> Picture:
     width = 2 * _MARGIN + sum(column.width + _GAP for column in columns) - _GAP
     page = Image.new("RGB", (width, text + _NAME + 12 + lines * (_CAPTION + 6) + _MARGIN - 6), _PAPER)
     draw = ImageDraw.Draw(page)
-    draw.text((_MARGIN, _MARGIN - 6), _fitted(title, _TITLE, width - 2 * _MARGIN), _INK, _font(_TITLE))
+    draw.text((_MARGIN, _MARGIN - 6), _fitted(title, _TITLE, width - 2 * _MARGIN), _INK, font(_TITLE))
     left = _MARGIN
     for column in columns:
         for row, panel in enumerate(column.panels):
             place = (left, _TOP + row * (_HEIGHT + _GAP))
             page.paste(_cut_to(panel, column.width), place)
             draw.rectangle((*place, place[0] + column.width - 1, place[1] + _HEIGHT - 1), outline=_LINE)
-        draw.text((left, text), _fitted(column.name, _NAME, column.width), _INK, _font(_NAME))
+        draw.text((left, text), _fitted(column.name, _NAME, column.width), _INK, font(_NAME))
         for j, line in enumerate(column.caption):
             at = (left, text + _NAME + 12 + j * (_CAPTION + 6))
-            draw.text(at, _fitted(line, _CAPTION, column.width), _FAINT, _font(_CAPTION))
+            draw.text(at, _fitted(line, _CAPTION, column.width), _FAINT, font(_CAPTION))
         left += column.width + _GAP
     return np.asarray(page, dtype=np.uint8)
 
@@ -156,15 +156,10 @@ def _tree_in(mask: Mask) -> _Tree:
 
 def _fitted(text: str, size: int, room: float) -> str:
     """Return `text` on one line, shortened with an ellipsis where it is wider than `room` pixels."""
-    font = _font(size)
+    letters = font(size)
     text = " ".join(text.split())
-    if font.getlength(text) <= room:
+    if letters.getlength(text) <= room:
         return text
-    while text and font.getlength(text + "…") > room:
+    while text and letters.getlength(text + "…") > room:
         text = text[:-1]
     return text + "…"
-
-
-@cache
-def _font(size: int) -> ImageFont.FreeTypeFont | ImageFont.ImageFont:
-    return ImageFont.load_default(size)
