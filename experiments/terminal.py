@@ -7,6 +7,7 @@ import shlex
 import time
 from collections.abc import Mapping, Sequence
 from pathlib import Path
+from threading import Timer
 from types import TracebackType
 
 from rich.console import Console
@@ -17,11 +18,14 @@ from rich.table import Table
 SECONDS_BETWEEN_LINES = 10.0
 """How often a line is printed where no bar can be drawn."""
 
+SECONDS_OF_SILENCE = 2.0
+"""How long nothing may be seen to happen at the start before a line says why."""
+
 
 class Progress:
     """Progress of a search: a live bar on a terminal, now and then a line elsewhere. Use in `with`."""
 
-    def __init__(self, console: Console | None = None) -> None:
+    def __init__(self, console: Console | None = None, silence: float = SECONDS_OF_SILENCE) -> None:
         self.console = console or Console(stderr=True)
         self._bar = Bar(
             TextColumn("searching"),
@@ -34,18 +38,23 @@ class Progress:
         )
         self._task = self._bar.add_task("search", total=None, best=0.0, rate=0.0, left="")
         self._next_line = 0.0
+        self._patience = Timer(silence, self._explain_silence)
+        self._patience.daemon = True
 
     def __enter__(self) -> Progress:
         self._bar.start()
+        self._patience.start()
         return self
 
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
+        self._patience.cancel()
         self._bar.stop()
 
     def update(self, evaluations: int, total: int, best: float, rate: float) -> None:
         """Show `evaluations` of `total` done, the `best` score so far and the `rate` per second."""
+        self._patience.cancel()
         left = time_left(total - evaluations, rate)
         self._bar.update(self._task, completed=evaluations, total=total, best=best, rate=rate, left=left)
         now = time.monotonic()
@@ -56,6 +65,10 @@ class Progress:
                 highlight=False,
                 soft_wrap=True,
             )
+
+    def _explain_silence(self) -> None:
+        line = "growing the first trees; the first run on a machine also compiles its kernels, some 15 s"
+        self.console.print(line, highlight=False, soft_wrap=True)
 
 
 def time_left(evaluations: int, rate: float) -> str:

@@ -29,6 +29,16 @@ def test_progress_is_a_line_now_and_then_elsewhere() -> None:
     ]
 
 
+def test_silence_at_the_start_is_explained_once() -> None:
+    out = io.StringIO()
+    with Progress(Console(file=out), silence=0.01) as progress:
+        progress._patience.join()
+        progress.update(1000, 1000, 0.5, 250.0)
+    first, last = out.getvalue().splitlines()
+    assert first.startswith("growing the first trees; the first run")
+    assert last.startswith("1,000 of 1,000")
+
+
 @pytest.mark.parametrize(
     ("evaluations", "rate", "words"),
     [(0, 5.0, "done"), (100, 0.0, "time left unknown"), (650, 10.0, "1 min 5 s left"), (50, 10.0, "5 s left")],
