@@ -14,17 +14,18 @@ from experiments.run_folder import run_folder
 from experiments.run_log import RunLog
 from experiments.settings import read_settings
 from experiments.summary import rows, summary
-from experiments.sweep import parent_run
+from experiments.sweep_parent import parent_run
 from experiments.terminal import Progress, print_results
 from experiments.write_run import write_candidates, write_gallery, write_json, write_page
 from treefit.asset import AssetSettings
 from treefit.checkpoint import CheckpointError
 from treefit.evaluation import Evaluator
-from treefit.fit import Failure, Generation, Result, Stop, fit
+from treefit.fit import Result, Stop, fit
 from treefit.mask import Mask
 from treefit.objective import View
 from treefit.plant import Generator
 from treefit.plant.characteristics import Characteristics
+from treefit.progress import Failure, Generation
 from treefit.search import Strategy
 from treefit.similarity import Similarity
 from treefit.tracking import Tracker

@@ -20,6 +20,11 @@ def run_folder() -> Path:
     return Path(HydraConfig.get().runtime.output_dir)
 
 
+def candidate_folder(folder: Path, number: int) -> Path:
+    """Folder of candidate `number` (from 1) in that of the run."""
+    return folder / "candidates" / str(number)
+
+
 def in_sweep() -> bool:
     """Whether the run is one of a sweep."""
     return bool(HydraConfig.get().mode == RunMode.MULTIRUN)

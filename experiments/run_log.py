@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import asdict
 from pathlib import Path
 
-from treefit.fit import Failure, Generation
+from treefit.progress import Failure, Generation
 
 MOST_FAILURES = 1000
 """Lines of failures.jsonl; the counts in summary.json go on."""

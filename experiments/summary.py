@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from importlib.metadata import version
-from pathlib import Path
 
 from experiments.read_tree import ReadTree
 from treefit.asset import MeshCounts
@@ -69,8 +68,3 @@ def rows(result: Result, meshes: list[MeshCounts]) -> list[dict[str, float | int
         }
         for i, (found, mesh) in enumerate(zip(result.candidates, meshes, strict=True))
     ]  # fmt: skip
-
-
-def folder_of(folder: Path, number: int) -> Path:
-    """Folder of candidate `number` (from 1) in that of the run."""
-    return folder / "candidates" / str(number)

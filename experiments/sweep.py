@@ -12,13 +12,11 @@ from omegaconf import DictConfig, OmegaConf
 from experiments.build import build
 from experiments.errors import FAILED
 from experiments.sweep_page import write_page
-from experiments.sweep_parent import parent_run, write_parent
+from experiments.sweep_parent import write_parent
 from experiments.sweep_picture import write_picture
 from experiments.sweep_table import Job, read_jobs, tabulate
 from experiments.terminal import print_sweep
 from treefit.tracking import NoTracker, Tracker
-
-__all__ = ["SweepCallback", "parent_run"]
 
 SECONDS_FOR_PARENT = 30.0
 """How long the sweep waits for its parent run before it goes on without one."""

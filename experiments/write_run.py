@@ -9,7 +9,7 @@ import numpy as np
 from PIL import Image
 
 from experiments.read_tree import ReadTree
-from experiments.summary import folder_of
+from experiments.run_folder import candidate_folder
 from treefit.asset import (
     AssetSettings,
     GalleryEntry,
@@ -30,7 +30,8 @@ def write_candidates(
 ) -> list[MeshCounts]:
     """Write tree.glb, preset.yaml, picture.png and mask.png of every candidate; return the counts of their meshes."""
     return [
-        _write_candidate(folder_of(folder, i + 1), candidate, generator, asset) for i, candidate in enumerate(found)
+        _write_candidate(candidate_folder(folder, i + 1), candidate, generator, asset)
+        for i, candidate in enumerate(found)
     ]
 
 
@@ -48,7 +49,7 @@ def write_gallery(folder: Path, tree: ReadTree, found: list[Candidate], title: s
     entries = [
         GalleryEntry(
             f"candidate {i + 1}",
-            np.asarray(Image.open(folder_of(folder, i + 1) / "picture.png")),
+            np.asarray(Image.open(candidate_folder(folder, i + 1) / "picture.png")),
             candidate.mask,
             _captions(candidate),
         )
@@ -69,7 +70,7 @@ def _captions(found: Candidate) -> tuple[str, ...]:
 def write_page(folder: Path, tree: ReadTree, found: list[Candidate], meshes: list[MeshCounts]) -> None:
     """Write viewer.html: the candidates in 3D beside the picture."""
     trees = [
-        (f"candidate {i + 1}", folder_of(folder, i + 1) / "tree.glb", _facts(candidate, mesh))
+        (f"candidate {i + 1}", candidate_folder(folder, i + 1) / "tree.glb", _facts(candidate, mesh))
         for i, (candidate, mesh) in enumerate(zip(found, meshes, strict=True))
     ]
     write_viewer(folder / "viewer.html", trees, tree.picture.rgb, tree.extraction.mask)

@@ -11,9 +11,10 @@ from tests.conftest import blob
 from tests.failing import Failing
 from treefit.checkpoint import CheckpointError
 from treefit.evaluation import Evaluator
-from treefit.fit import Failure, Generation, Result, SearchError, Stop, fit
+from treefit.fit import Result, SearchError, Stop, fit
 from treefit.plant import Generator
 from treefit.plant.characteristics import Characteristics
+from treefit.progress import Failure, Generation
 from treefit.search import TreeGA
 from treefit.view import OrthographicView
 
@@ -83,8 +84,13 @@ def test_failures_are_counted_told_and_do_not_end_the_run() -> None:
 
 
 def test_a_generator_that_always_fails_ends_the_run_with_its_reason() -> None:
-    with pytest.raises(SearchError, match="RuntimeError"):
+    with pytest.raises(SearchError, match="RuntimeError: the bark"):
         small(Failing(1.0))
+
+
+def test_a_short_search_in_which_all_fails_ends_with_its_reason_too() -> None:
+    with pytest.raises(SearchError, match="RuntimeError: the bark"):
+        small(Failing(1.0), optimizer=TreeGA(evaluations=10, population=20, start_population=30))
 
 
 def test_an_empty_mask_is_refused() -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import time
 from collections.abc import Callable
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
@@ -16,36 +16,16 @@ from treefit.checkpoint import CheckpointError, read_checkpoint, write_checkpoin
 from treefit.evaluation import Evaluator
 from treefit.image import AutoMask, Extractor, read_picture
 from treefit.mask import Mask, check_mask
-from treefit.objective import Objective, Score, View
-from treefit.plant import Budget, Generator, Values
+from treefit.objective import Objective, View
+from treefit.plant import Budget, Generator
 from treefit.plant.characteristics import Characteristics
+from treefit.progress import Failure, Generation, Progress
 from treefit.search import Optimizer, Strategy, TreeGA
 from treefit.similarity import PaperSimilarity, Similarity
 from treefit.view import BitMask, OrthographicView, frame_for, sample
 
-
-@dataclass(frozen=True)
-class Generation:
-    """What is known after a batch of evaluations; `seconds` and the rate count all sessions of a resumed run."""
-
-    number: int
-    stage: str
-    evaluations: int
-    best: float
-    best_image: float
-    mean: float
-    failures: int
-    seconds: float
-    evaluations_per_second: float
-
-
-@dataclass(frozen=True)
-class Failure:
-    """A candidate that could not be scored."""
-
-    reason: str
-    values: Values
-    seed: int
+PATIENCE = 3
+"""Generations without a single score after which a search gives up."""
 
 
 @dataclass(frozen=True)
@@ -78,15 +58,6 @@ class Result:
 
 class SearchError(RuntimeError):
     """Nothing could be scored at all; the message says why."""
-
-
-@dataclass
-class Progress:
-    """What a search has come to: everything that a checkpoint keeps besides the optimiser's own state."""
-
-    history: list[Generation] = field(default_factory=list)
-    failures: dict[str, int] = field(default_factory=dict)
-    best: Score = field(default_factory=lambda: Score(0.0))
 
 
 def fit(
@@ -152,18 +123,15 @@ def _search(
     on_generation: Callable[[Generation, list[Failure]], None] | None, fingerprint: str,
 ) -> Progress:  # fmt: skip
     progress = _restore(search, checkpoint, fingerprint)
-    before = progress.history[-1].seconds if progress.history else 0.0
-    started = time.perf_counter()
+    started = time.perf_counter() - progress.seconds
     while not search.done and not _enough(progress, stop):
         stage, genomes = search.stage, search.ask()
         scores = evaluator(objective, genomes)
         search.tell(np.array([score.total for score in scores]))
-        failures = _count(progress, objective, genomes, scores)
-        _note(progress, stage, scores, before + time.perf_counter() - started)
-        if all(generation.best == 0.0 for generation in progress.history) and len(progress.history) >= 3:
-            raise SearchError(
-                f"no candidate could be scored; the first failed with: {next(iter(progress.failures), '-')}"
-            )
+        failures = progress.add(stage, objective, genomes, scores, time.perf_counter() - started)
+        if progress.best.total == 0.0 and (search.done or len(progress.history) >= PATIENCE):
+            reason = progress.first_failure or "all masks were without any likeness"
+            raise SearchError(f"no candidate could be scored; the first reason: {reason}")
         if checkpoint is not None:
             meta = {"fingerprint": fingerprint, "progress": asdict(progress)}
             write_checkpoint(checkpoint, search.state(), meta)
@@ -180,7 +148,7 @@ def _restore(search: Optimizer, checkpoint: Path | None, fingerprint: str) -> Pr
         raise CheckpointError(f"{checkpoint}: belongs to a search with another picture, generator, seed or settings")
     search.restore(arrays)
     kept: Any = meta["progress"]
-    return Progress([Generation(**line) for line in kept["history"]], kept["failures"], Score(**kept["best"]))
+    return Progress.from_json(kept)
 
 
 def _enough(progress: Progress, stop: Stop) -> bool:
@@ -190,29 +158,6 @@ def _enough(progress: Progress, stop: Stop) -> bool:
     return (stop.score is not None and now.best >= stop.score) or (
         stop.seconds is not None and now.seconds >= stop.seconds
     )
-
-
-def _count(
-    progress: Progress, objective: Objective, genomes: np.ndarray[Any, Any], scores: list[Score]
-) -> list[Failure]:
-    failures = []
-    for genome, score in zip(genomes, scores, strict=True):
-        if score.failure is not None:
-            failures.append(Failure(score.failure, objective.space.decode(genome), objective.seed))
-            kind = score.failure.partition(":")[0]
-            progress.failures[kind] = progress.failures.get(kind, 0) + 1
-        if score.total > progress.best.total:
-            progress.best = score
-    return failures
-
-
-def _note(progress: Progress, stage: str, scores: list[Score], seconds: float) -> None:
-    done = (progress.history[-1].evaluations if progress.history else 0) + len(scores)
-    best, mean = progress.best, float(np.mean([score.total for score in scores]))
-    progress.history.append(
-        Generation(len(progress.history), stage, done, best.total, best.image, mean, sum(progress.failures.values()),
-                   seconds, done / max(seconds, 1e-9))
-    )  # fmt: skip
 
 
 def _fingerprint(objective: Objective, mask: Mask, strategy: Strategy) -> str:

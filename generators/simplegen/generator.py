@@ -52,14 +52,15 @@ class SimpleGen:
     def __call__(self, values: Values, seed: int, budget: Budget) -> Plant:
         """Plant grown from `values` by name; its size is branch_len_0 metres of trunk."""
         counts = [int(values[f"branch_count_{level}"]) for level in range(int(values["levels"]))]
-        rules = [_level_rule(values, level, count, len(counts)) for level, count in enumerate(counts)]
+        number = {name: float(value) for name, value in values.items()}
+        rules = [_level_rule(number, level, count, len(counts)) for level, count in enumerate(counts)]
         stems = [1]
         for rule in rules[:-1]:
             stems.append(stems[-1] * ((rule.joints - 1) * rule.whorl + 1))
         capacity = min(
             1 + sum(n * (rule.bare_joints + rule.joints) for n, rule in zip(stems, rules, strict=True)), budget.vertices
         )
-        wood = Wood(np.zeros((3, capacity), np.float32), np.empty(capacity, np.float32), np.empty(capacity, np.int32),
+        wood = Wood(np.empty((3, capacity), np.float32), np.empty(capacity, np.float32), np.empty(capacity, np.int32),
                     np.empty(capacity, np.int32))  # fmt: skip
         first, n, keys, cut = _grow_branches(values, rules, stems, wood, seed)
         leaf_rule = _leaf_rule(values, rules[-1], first)
@@ -76,6 +77,7 @@ def _grow_branches(
 ) -> tuple[int, int, NDArray[np.uint64], bool]:
     """Grow all levels; return the first vertex of the last one, the count of vertices, its keys, whether cut."""
     trunk, lean, crown = float(values["branch_len_0"]), float(values["lean"]), _crown(values)
+    wood.xyz[:, 0] = 0.0
     wood.radius[0], wood.parent[0], wood.level[0] = trunk * float(values["branch_r_0"]), -1, 0
     front, keys = np.zeros((STEM_FIELDS, 1), np.float32), np.array([seed], np.uint64)
     front[3:8, 0] = math.sin(lean), 0.0, math.cos(lean), trunk, wood.radius[0]
@@ -91,8 +93,7 @@ def _grow_branches(
     return first, n, keys, cut
 
 
-def _level_rule(values: Values, level: int, count: int, levels: int) -> LevelRule:
-    number = {name: float(value) for name, value in values.items()}
+def _level_rule(number: dict[str, float], level: int, count: int, levels: int) -> LevelRule:
     child, trunk = min(level + 1, LEVELS - 1), level == 0
     return LevelRule(
         level=level, last=level == levels - 1, joints=count, bare_joints=BARE_JOINTS if trunk else 0,

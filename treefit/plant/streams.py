@@ -29,12 +29,6 @@ def uniform(key: np.uint64, purpose: int) -> np.float32:
     return np.float32(child_key(key, purpose) >> np.uint64(40)) * _INVERSE_2_24
 
 
-@njit(inline="always")
-def signed(key: np.uint64, purpose: int) -> np.float32:
-    """Draw in [-1, 1) for `purpose` at the place named by `key`."""
-    return np.float32(2.0) * uniform(key, purpose) - np.float32(1.0)
-
-
 _INVERSE_2_16 = np.float32(1.0 / (1 << 16))
 
 

@@ -1,0 +1,79 @@
+"""Progress: what a search has come to, and what a checkpoint keeps besides the optimiser's own state."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from treefit.objective import Objective, Score
+from treefit.plant import Values
+
+
+@dataclass(frozen=True)
+class Generation:
+    """What is known after a batch of evaluations; `seconds` and the rate count all sessions of a resumed run."""
+
+    number: int
+    stage: str
+    evaluations: int
+    best: float
+    best_image: float
+    mean: float
+    failures: int
+    seconds: float
+    evaluations_per_second: float
+
+
+@dataclass(frozen=True)
+class Failure:
+    """A candidate that could not be scored."""
+
+    reason: str
+    values: Values
+    seed: int
+
+
+@dataclass
+class Progress:
+    """Generations so far, failures counted by kind, the reason of the first one, and the best score."""
+
+    history: list[Generation] = field(default_factory=list)
+    failures: dict[str, int] = field(default_factory=dict)
+    first_failure: str = ""
+    best: Score = field(default_factory=lambda: Score(0.0))
+
+    @classmethod
+    def from_json(cls, kept: Mapping[str, Any]) -> Progress:
+        """Progress from what `dataclasses.asdict` made of one."""
+        history = [Generation(**line) for line in kept["history"]]
+        return cls(history, kept["failures"], kept["first_failure"], Score(**kept["best"]))
+
+    @property
+    def seconds(self) -> float:
+        """Seconds of the search so far."""
+        return self.history[-1].seconds if self.history else 0.0
+
+    def add(
+        self, stage: str, objective: Objective, genomes: NDArray[np.float64], scores: list[Score], seconds: float
+    ) -> list[Failure]:
+        """Take in a generation that ended after `seconds`; return what failed in it."""
+        failed = [(genome, score) for genome, score in zip(genomes, scores, strict=True) if score.failure is not None]
+        failures = [
+            Failure(str(score.failure), objective.space.decode(genome), objective.seed) for genome, score in failed
+        ]
+        for failure in failures:
+            kind = failure.reason.partition(":")[0]
+            self.failures[kind] = self.failures.get(kind, 0) + 1
+            self.first_failure = self.first_failure or failure.reason
+        self.best = max([self.best, *scores], key=lambda score: score.total)
+        done = (self.history[-1].evaluations if self.history else 0) + len(scores)
+        mean = float(np.mean([score.total for score in scores]))
+        self.history.append(
+            Generation(len(self.history), stage, done, self.best.total, self.best.image, mean,
+                       sum(self.failures.values()), seconds, done / max(seconds, 1e-9))
+        )  # fmt: skip
+        return failures
