@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, Protocol
 
@@ -25,8 +25,21 @@ class View(Protocol):
     def parallel(self) -> str:
         """How several calls run at once: "threads" or "processes"."""
 
+    @property
+    def reduce(self) -> str:
+        """How the image similarities of several sides are joined: mean, best or worst."""
+
     def __call__(self, plant: Plant, frame: Frame) -> BitMask:
-        """Bit rows of `plant` in `frame`."""
+        """Bit rows of `plant` in `frame`, from the front."""
+
+    def sides(self, plant: Plant, frame: Frame) -> Sequence[BitMask]:
+        """Bit rows from every side that the score sees, the front first."""
+
+
+REDUCE: Mapping[str, Callable[[Sequence[float]], float]] = {
+    "mean": lambda images: sum(images) / len(images), "best": max, "worst": min,
+}  # fmt: skip
+"""How the image similarities of several sides are joined, by name."""
 
 
 @dataclass(frozen=True)
@@ -76,7 +89,9 @@ class Objective:
             limits = f"{self.budget.vertices} vertices, {self.budget.leaves} leaves"
             return Score(0.0, failure=f"over budget: more than {limits}")
         multipliers = self.characteristics.multipliers(plant)
-        image = self.similarity.compare(self.target, self.similarity.describe(self.view(plant, self.frame)))
+        sides = self.view.sides(plant, self.frame)
+        images = [self.similarity.compare(self.target, self.similarity.describe(side)) for side in sides]
+        image = REDUCE[self.view.reduce](images)
         total = image * float(np.prod(list(multipliers.values())))
         if not np.isfinite(total):
             return Score(0.0, failure=f"the score is not a number: image {image}, multipliers {multipliers}")

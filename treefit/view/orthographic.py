@@ -21,16 +21,29 @@ SLABS, FINE_SLABS = 4, 32
 
 @dataclass(frozen=True, config=ConfigDict(extra="forbid"))
 class OrthographicView:
-    """Looks along +y (x to the right, z up) at the plant turned by `azimuth` degrees; `resolution` rows a plant."""
+    """Looks along +y (x to the right, z up) at the plant turned by `azimuth` degrees; `resolution` rows a plant.
+
+    `azimuths` sides, evenly around the plant, are seen for the score and their image similarities joined by `reduce`,
+    so that a tree may not be one that only looks right from the front.
+    """
 
     resolution: int = Field(default=128, ge=16, le=1024)
     azimuth: float = Field(default=0.0, ge=-360, le=360)
+    azimuths: int = Field(default=1, ge=1, le=64)
+    reduce: str = Field(default="mean", pattern="^(mean|best|worst)$")
     parallel: ClassVar[str] = "threads"
 
     def __call__(self, plant: Plant, frame: Frame) -> BitMask:
         """Bit rows of `plant` in `frame`; the highest point of the plant is the frame's top."""
+        return self._seen(plant, frame, self.azimuth)
+
+    def sides(self, plant: Plant, frame: Frame) -> list[BitMask]:
+        """Bit rows of `plant` in `frame` from each of the `azimuths` sides, the front first."""
+        return [self._seen(plant, frame, self.azimuth + 360.0 * i / self.azimuths) for i in range(self.azimuths)]
+
+    def _seen(self, plant: Plant, frame: Frame, azimuth: float) -> BitMask:
         xyz, leaf_xyz, axis, normal, size = rows_of(plant)
-        angle = math.radians(self.azimuth)
+        angle = math.radians(azimuth)
         cos, sin = np.float32(math.cos(angle)), np.float32(math.sin(angle))
         top, near, far = height_and_depth(xyz, leaf_xyz, axis, normal, size, cos, sin)
         slabs = SLABS if frame.height <= 128 else FINE_SLABS

@@ -17,6 +17,7 @@ class PyrenderView:
     """Looks along +y at the plant; needs the libraries of offscreen OpenGL, ValueError without them."""
 
     resolution: int = Field(default=128, ge=16, le=1024)
+    reduce: ClassVar[str] = "mean"
     parallel: ClassVar[str] = "processes"  # OpenGL contexts must not be shared by threads
 
     def __post_init__(self) -> None:
@@ -27,3 +28,7 @@ class PyrenderView:
     def __call__(self, plant: Plant, frame: Frame) -> BitMask:
         """Bit rows of `plant` in `frame`."""
         return BitMask.pack(gl_mask(plant, frame.height, frame.half_width))
+
+    def sides(self, plant: Plant, frame: Frame) -> list[BitMask]:
+        """Bit rows from the front, the one side of this view."""
+        return [self(plant, frame)]
