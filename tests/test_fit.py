@@ -1,5 +1,9 @@
 from __future__ import annotations
 
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -9,29 +13,35 @@ import pytest
 from generators.simplegen import SimpleGen
 from tests.conftest import blob
 from tests.failing import Failing
-from treefit.checkpoint import CheckpointError
-from treefit.evaluation import Evaluator
+from treefit.checkpoint import CheckpointError, read_checkpoint
+from treefit.evaluation import Batch, Evaluator
 from treefit.fit import Result, SearchError, Stop, fit
+from treefit.objective import Objective
 from treefit.plant import Generator
 from treefit.plant.characteristics import Characteristics
 from treefit.progress import Failure, Generation
-from treefit.search import TreeGA
+from treefit.search import RandomSearch, Strategy, TreeGA
 from treefit.view import OrthographicView
 
 TARGET = blob(256, 256)
+GA = TreeGA(evaluations=600, population=20, start_population=30, generations=10)
 
 
 def small(generator: Generator | None = None, **changes: Any) -> Result:
     settings: dict[str, Any] = {
-        "optimizer": TreeGA(evaluations=600, population=20, start_population=30, generations=10),
-        "view": OrthographicView(resolution=64), "characteristics": Characteristics(vertices=400), "other_seeds": 1,
-        **changes,
+        "optimizer": GA, "view": OrthographicView(resolution=64), "characteristics": Characteristics(vertices=400),
+        "other_seeds": 1, **changes,
     }  # fmt: skip
     return fit(TARGET, generator or SimpleGen(), **settings)
 
 
 def genomes(result: Result) -> list[bytes]:
     return [candidate.genome.tobytes() for candidate in result.candidates]
+
+
+def kill(generation: Generation, failures: list[Failure]) -> None:
+    if generation.number == 9:
+        raise KeyboardInterrupt
 
 
 def test_a_fit_ends_with_distinct_candidates_best_first() -> None:
@@ -47,11 +57,11 @@ def test_workers_do_not_change_the_result() -> None:
     assert genomes(small(evaluator=Evaluator("serial"))) == genomes(small(evaluator=Evaluator("threads", 2, 3)))
 
 
-def test_a_fit_that_was_killed_goes_on_to_the_same_end(tmp_path: Path) -> None:
-    def kill(generation: Generation, failures: list[Failure]) -> None:
-        if generation.number == 9:
-            raise KeyboardInterrupt
-
+@pytest.mark.parametrize(("seconds", "first"), [(0.0, 10), (100.0, 1)])
+def test_a_fit_that_was_killed_goes_on_from_its_checkpoint_to_the_same_end(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, seconds: float, first: int
+) -> None:
+    monkeypatch.setattr(sys.modules["treefit.fit"], "CHECKPOINT_SECONDS", seconds)
     with pytest.raises(KeyboardInterrupt):
         small(checkpoint=tmp_path / "c.npz", on_generation=kill)
     numbers: list[int] = []
@@ -59,7 +69,38 @@ def test_a_fit_that_was_killed_goes_on_to_the_same_end(tmp_path: Path) -> None:
     whole = small()
     assert genomes(resumed) == genomes(whole)
     assert [line.best for line in resumed.history] == [line.best for line in whole.history]
-    assert numbers[0] == 10
+    assert numbers[0] == first
+
+
+class DrawsAll(Evaluator):
+    """Evaluator that draws every plant, hopeless or not."""
+
+    @contextmanager
+    def started(self, objective: Objective) -> Iterator[Batch]:
+        with super().started(objective) as batch:
+            yield lambda genomes, floors: batch(genomes, np.full(len(floors), -np.inf))
+
+
+@pytest.mark.parametrize("optimizer", [replace(GA, evaluations=1500), RandomSearch(600, 60)])
+def test_leaving_hopeless_plants_undrawn_changes_nothing(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, optimizer: Strategy
+) -> None:
+    monkeypatch.setattr(sys.modules["treefit.fit"], "CHECKPOINT_SECONDS", 0.0)
+    a, b = tmp_path / "a.npz", tmp_path / "b.npz"
+    settings = {"optimizer": optimizer, "characteristics": Characteristics(vertices=400, height=12.0, leaf_size=0.1)}
+    with pytest.raises(KeyboardInterrupt):
+        small(**settings, checkpoint=a, on_generation=kill)
+    few = small(**settings, checkpoint=a)
+    every = small(**settings, checkpoint=b, evaluator=DrawsAll())
+    assert few.history[-1].undrawn > 10
+    assert every.history[-1].undrawn == 0
+    assert genomes(few) == genomes(every)
+    assert [candidate.score for candidate in few.candidates] == [candidate.score for candidate in every.candidates]
+    assert few.failures == every.failures
+    for now, then in zip(few.history, every.history, strict=True):
+        assert (now.best, now.best_image, now.failures) == (then.best, then.best_image, then.failures)
+    kept, other = read_checkpoint(a)[0], read_checkpoint(b)[0]
+    assert all(kept[name].tobytes() == other[name].tobytes() for name in kept)
 
 
 def test_a_checkpoint_of_another_search_is_refused(tmp_path: Path) -> None:

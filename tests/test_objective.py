@@ -1,7 +1,8 @@
 from __future__ import annotations
 
 import pickle
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -11,10 +12,32 @@ from tests.conftest import blob
 from tests.failing import Failing
 from treefit.fit import aim
 from treefit.objective import Objective
-from treefit.plant import Budget
+from treefit.plant import Budget, Plant
 from treefit.plant.characteristics import Characteristics
 from treefit.similarity import PaperSimilarity
-from treefit.view import OrthographicView
+from treefit.view import BitMask, OrthographicView
+
+
+@dataclass(frozen=True)
+class Sides:
+    """A view and a similarity in one: the sides are numbers, and their own similarity."""
+
+    images: tuple[float, ...]
+    reduce: str = "mean"
+    resolution: int = 64
+    parallel: str = "threads"
+
+    def __call__(self, plant: Plant, frame: Any) -> BitMask:
+        raise AssertionError("a score sees the sides only")
+
+    def sides(self, plant: Plant, frame: Any) -> Any:
+        return self.images
+
+    def describe(self, bits: Any) -> Any:
+        return bits
+
+    def compare(self, target: Any, plant: Any) -> float:
+        return float(plant)
 
 
 @pytest.fixture
@@ -63,3 +86,35 @@ def test_a_plant_over_budget_scores_nothing(objective: Objective) -> None:
     score = replace(objective, budget=Budget(20, 10))(np.full(len(objective.space), 0.5))
     assert score.total == 0
     assert str(score.failure).startswith("over budget")
+
+
+@pytest.mark.parametrize(("how", "image"), [("mean", 0.5), ("best", 0.75), ("worst", 0.25)])
+def test_the_similarities_of_the_sides_are_joined(objective: Objective, how: str, image: float) -> None:
+    sides = Sides((0.75, 0.25), how)
+    score = replace(objective, view=sides, similarity=sides)(np.full(len(objective.space), 0.5))
+    assert score.image == image
+    assert score.total == image * np.prod(list(score.multipliers.values()))
+
+
+def test_the_worst_side_is_never_over_the_mean_nor_that_over_the_best(objective: Objective) -> None:
+    views = [OrthographicView(64, azimuths=3, reduce=how) for how in ("worst", "mean", "best")]
+    for genome in np.random.default_rng(4).random((20, len(objective.space))):
+        worst, mean, best = (replace(objective, view=view)(genome).image for view in views)
+        assert worst <= mean <= best
+        assert worst <= objective(genome).image <= best
+
+
+def test_a_plant_is_drawn_only_where_its_multipliers_leave_it_a_chance(objective: Objective) -> None:
+    undrawable = replace(objective, view=Sides(()))
+    for genome in np.random.default_rng(4).random((20, len(objective.space))):
+        score = objective(genome)
+        bound = float(np.prod(list(score.multipliers.values())))
+        assert score.total <= bound
+        assert objective(genome, np.nextafter(bound, 0)) == score
+        hopeless = undrawable(genome, bound)
+        assert (hopeless.total, hopeless.drawn, hopeless.failure) == (0, not score.multipliers, score.failure)
+
+
+def test_a_plant_that_is_not_drawn_is_checked_all_the_same(objective: Objective) -> None:
+    failing = replace(objective, generator=Failing(1.0, "nan"))
+    assert failing(np.full(len(objective.space), 0.5), floor=1.0).failure

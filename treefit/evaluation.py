@@ -2,17 +2,34 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import Any, TypeAlias
 
 import numpy as np
 from joblib import Parallel, cpu_count, delayed
+from joblib.parallel import ThreadingBackend
 from numpy.typing import NDArray
 from pydantic import ConfigDict, Field
 from pydantic.dataclasses import dataclass
 
 from treefit.objective import Objective, Score
 
-BACKENDS = {"threads": "threading", "processes": "loky", "serial": "sequential"}
+Batch: TypeAlias = Callable[[NDArray[np.float64], NDArray[np.float64]], list[Score]]
+"""Function on genomes (m, n) and floors (m,) to m scores."""
+
+
+class Threads(ThreadingBackend):  # type: ignore[misc]  # joblib has no types
+    """Threads of joblib that hand over what is done at once: joblib looks for it every 10 ms, half a small batch."""
+
+    supports_retrieve_callback = False
+
+    def retrieve_result(self, out: Any, timeout: float | None = None) -> Any:
+        """Result of one task, awaited."""
+        return self.retrieve_result_callback(out.get(timeout))
+
+
+BACKENDS = {"threads": Threads, "processes": lambda: "loky", "serial": lambda: "sequential"}
 
 
 @dataclass(frozen=True, config=ConfigDict(extra="forbid"))
@@ -26,19 +43,34 @@ class Evaluator:
     workers: int = Field(default=0, ge=0, le=1024)
     chunk: int = Field(default=32, ge=1)  # genomes a task, at most
 
-    def __call__(self, objective: Objective, genomes: NDArray[np.float64]) -> list[Score]:
-        """Scores of `genomes` (m, n), in order."""
-        workers = self.workers or cpu_count()
-        size = max(1, min(self.chunk, -(-len(genomes) // workers)))
-        chunks = [genomes[i : i + size] for i in range(0, len(genomes), size)]
-        backend = BACKENDS[self.backend(objective)]
-        try:
-            parts = Parallel(n_jobs=workers, backend=backend)(delayed(_score)(objective, chunk) for chunk in chunks)
-        except Exception as error:  # a worker died: find out whose fault it was
-            if backend != "loky":
-                raise
-            return self._one_by_one(objective, genomes, f"{type(error).__name__}")
-        return [score for part in parts for score in part]
+    def __call__(
+        self, objective: Objective, genomes: NDArray[np.float64], floors: NDArray[np.float64] | None = None
+    ) -> list[Score]:
+        """Scores of `genomes` (m, n), in order; those that cannot be over their floor, of `floors` (m,), may be 0."""
+        with self.started(objective) as batch:
+            return batch(genomes, np.full(len(genomes), -np.inf) if floors is None else floors)
+
+    @contextmanager
+    def started(self, objective: Objective) -> Iterator[Batch]:
+        """Keep threads for the many batches of a search; processes are kept by joblib itself."""
+        workers, kind = self.workers or cpu_count(), self.backend(objective)
+        pool = Parallel(n_jobs=workers, backend=BACKENDS[kind](), pre_dispatch="all")
+
+        def batch(genomes: NDArray[np.float64], floors: NDArray[np.float64]) -> list[Score]:
+            tasks = [delayed(_score)(objective, genomes[part], floors[part].tolist())
+                     for part in parts(len(genomes), workers, self.chunk)]  # fmt: skip
+            try:
+                return [score for scores in pool(tasks) for score in scores]
+            except Exception as error:  # a worker died: find out whose fault it was
+                if kind != "processes":
+                    raise
+                return _one_by_one(objective, genomes, floors, type(error).__name__)
+
+        if kind == "threads":
+            with pool:
+                yield batch
+        else:
+            yield batch
 
     def backend(self, objective: Objective) -> str:
         """Return threads, processes or serial for `objective`."""
@@ -47,15 +79,28 @@ class Evaluator:
         both = (objective.generator.parallel, objective.view.parallel)
         return "threads" if both == ("threads", "threads") else "processes"
 
-    def _one_by_one(self, objective: Objective, genomes: NDArray[np.float64], reason: str) -> list[Score]:
-        scores = []
-        for genome in genomes:
-            try:
-                scores += Parallel(n_jobs=2, backend="loky")([delayed(_score)(objective, [genome])])[0]
-            except Exception:
-                scores.append(Score(0.0, failure=f"the worker process died ({reason})"))
-        return scores
+
+def parts(count: int, workers: int, most: int) -> list[slice]:
+    """Tasks for `workers`: each half a worker's share of what is left, so that all end at the same time."""
+    found, start = [], 0
+    while start < count:
+        size = min(most, -(-(count - start) // (2 * workers)))
+        found.append(slice(start, start + size))
+        start += size
+    return found
 
 
-def _score(objective: Objective, genomes: Sequence[NDArray[np.float64]]) -> list[Score]:
-    return [objective(genome) for genome in genomes]
+def _score(objective: Objective, genomes: NDArray[np.float64], floors: list[float]) -> list[Score]:
+    return [objective(genome, floor) for genome, floor in zip(genomes, floors, strict=True)]
+
+
+def _one_by_one(
+    objective: Objective, genomes: NDArray[np.float64], floors: NDArray[np.float64], reason: str
+) -> list[Score]:
+    scores = []
+    for genome, floor in zip(genomes, floors.tolist(), strict=True):
+        try:
+            scores += Parallel(n_jobs=2, backend="loky")([delayed(objective)(genome, floor)])
+        except Exception:
+            scores.append(Score(0.0, failure=f"the worker process died ({reason})"))
+    return scores

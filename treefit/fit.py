@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import math
 import time
 from collections.abc import Callable
 from dataclasses import asdict, dataclass
@@ -26,6 +27,9 @@ from treefit.view import BitMask, OrthographicView, frame_for, sample
 
 PATIENCE = 3
 """Generations without a single score after which a search gives up."""
+
+CHECKPOINT_SECONDS = 1.0
+"""Seconds between two checkpoints: a disk may take longer to write one than a generation takes to be scored."""
 
 
 @dataclass(frozen=True)
@@ -123,20 +127,22 @@ def _search(
     on_generation: Callable[[Generation, list[Failure]], None] | None, fingerprint: str,
 ) -> Progress:  # fmt: skip
     progress = _restore(search, checkpoint, fingerprint)
-    started = time.perf_counter() - progress.seconds
-    while not search.done and not _enough(progress, stop):
-        stage, genomes = search.stage, search.ask()
-        scores = evaluator(objective, genomes)
-        search.tell(np.array([score.total for score in scores]))
-        failures = progress.add(stage, objective, genomes, scores, time.perf_counter() - started)
-        if progress.best.total == 0.0 and (search.done or len(progress.history) >= PATIENCE):
-            reason = progress.first_failure or "all masks were without any likeness"
-            raise SearchError(f"no candidate could be scored; the first reason: {reason}")
-        if checkpoint is not None:
-            meta = {"fingerprint": fingerprint, "progress": asdict(progress)}
-            write_checkpoint(checkpoint, search.state(), meta)
-        if on_generation is not None:
-            on_generation(progress.history[-1], failures)
+    started, written = time.perf_counter() - progress.seconds, -math.inf
+    with evaluator.started(objective) as evaluate:
+        while not search.done and not _enough(progress, stop):
+            stage, genomes = search.stage, search.ask()
+            scores = evaluate(genomes, search.floors())
+            search.tell(np.array([score.total for score in scores]))
+            failures = progress.add(stage, objective, genomes, scores, time.perf_counter() - started)
+            if progress.best.total == 0.0 and (search.done or len(progress.history) >= PATIENCE):
+                reason = progress.first_failure or "all masks were without any likeness"
+                raise SearchError(f"no candidate could be scored; the first reason: {reason}")
+            last = search.done or _enough(progress, stop)
+            if checkpoint is not None and (last or time.perf_counter() - written >= CHECKPOINT_SECONDS):
+                write_checkpoint(checkpoint, search.state(), {"fingerprint": fingerprint, "progress": asdict(progress)})
+                written = time.perf_counter()
+            if on_generation is not None:
+                on_generation(progress.history[-1], failures)
     return progress
 
 

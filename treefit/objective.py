@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, Protocol
-
-import numpy as np
 
 from treefit.plant import Budget, Generator, Genome, ParameterSpace, Plant, check_plant
 from treefit.plant.characteristics import Characteristics
@@ -44,12 +43,16 @@ REDUCE: Mapping[str, Callable[[Sequence[float]], float]] = {
 
 @dataclass(frozen=True)
 class Score:
-    """Sim = ImSim times the characteristic multipliers; `failure` says why a candidate could not be scored."""
+    """Sim = ImSim times the characteristic multipliers; `failure` says why a candidate could not be scored.
+
+    A candidate that was not `drawn` has total and image 0: its multipliers alone showed that it could not matter.
+    """
 
     total: float
     image: float = 0.0
     multipliers: Mapping[str, float] = field(default_factory=dict)
     failure: str | None = None
+    drawn: bool = True
 
 
 @dataclass(frozen=True, eq=False)
@@ -66,12 +69,15 @@ class Objective:
     seed: int
     budget: Budget
 
-    def __call__(self, genome: Genome) -> Score:
-        """Score of `genome` (n,); 0 with the reason when the generator fails or its plant is not usable."""
+    def __call__(self, genome: Genome, floor: float = -math.inf) -> Score:
+        """Score of `genome` (n,); 0 with the reason when the generator fails or its plant is not usable.
+
+        A score over `floor` is exact; one that cannot be over it may be 0.
+        """
         try:
             plant = self.grow(genome, self.seed)
             check_plant(plant)
-            return self.score(plant)
+            return self.score(plant, floor)
         except Exception as error:  # a foreign generator may raise anything, and must not end the run
             return Score(0.0, failure=f"{type(error).__name__}: {error}".splitlines()[0][:500])
 
@@ -83,16 +89,19 @@ class Objective:
         """Plant of `genome` on `seed`."""
         return self.generator(self.space.decode(genome), seed, self.budget)
 
-    def score(self, plant: Plant) -> Score:
-        """Score of a plant; 0 when the budget cut it."""
+    def score(self, plant: Plant, floor: float = -math.inf) -> Score:
+        """Score of a plant; 0 when the budget cut it, or when the image, at most 1, cannot lift it over `floor`."""
         if plant.cut:
             limits = f"{self.budget.vertices} vertices, {self.budget.leaves} leaves"
             return Score(0.0, failure=f"over budget: more than {limits}")
         multipliers = self.characteristics.multipliers(plant)
+        bound = math.prod(multipliers.values())
+        if bound <= floor:
+            return Score(0.0, multipliers=multipliers, drawn=False)
         sides = self.view.sides(plant, self.frame)
         images = [self.similarity.compare(self.target, self.similarity.describe(side)) for side in sides]
         image = REDUCE[self.view.reduce](images)
-        total = image * float(np.prod(list(multipliers.values())))
-        if not np.isfinite(total):
+        total = image * bound
+        if not math.isfinite(total):
             return Score(0.0, failure=f"the score is not a number: image {image}, multipliers {multipliers}")
         return Score(total, image, multipliers)

@@ -15,7 +15,10 @@ from treefit.plant import Values
 
 @dataclass(frozen=True)
 class Generation:
-    """What is known after a batch of evaluations; `seconds` and the rate count all sessions of a resumed run."""
+    """What is known after a batch of evaluations; `seconds` and the rate count all sessions of a resumed run.
+
+    Failures and the undrawn are counted from the start of the run; `mean` is that of the batch without the undrawn.
+    """
 
     number: int
     stage: str
@@ -24,6 +27,7 @@ class Generation:
     best_image: float
     mean: float
     failures: int
+    undrawn: int
     seconds: float
     evaluations_per_second: float
 
@@ -70,10 +74,12 @@ class Progress:
             self.failures[kind] = self.failures.get(kind, 0) + 1
             self.first_failure = self.first_failure or failure.reason
         self.best = max([self.best, *scores], key=lambda score: score.total)
-        done = (self.history[-1].evaluations if self.history else 0) + len(scores)
-        mean = float(np.mean([score.total for score in scores]))
+        done, undrawn = (self.history[-1].evaluations, self.history[-1].undrawn) if self.history else (0, 0)
+        drawn = [score.total for score in scores if score.drawn]
+        done, undrawn = done + len(scores), undrawn + len(scores) - len(drawn)
+        mean = sum(drawn) / max(len(drawn), 1)
         self.history.append(
             Generation(len(self.history), stage, done, self.best.total, self.best.image, mean,
-                       sum(self.failures.values()), seconds, done / max(seconds, 1e-9))
+                       sum(self.failures.values()), undrawn, seconds, done / max(seconds, 1e-9))
         )  # fmt: skip
         return failures

@@ -74,6 +74,30 @@ def test_a_restored_search_goes_on_as_if_never_stopped(strategy: Strategy, steps
     assert again.best(4)[0].tobytes() == whole.best(4)[0].tobytes()
 
 
+def test_scores_at_or_under_the_floors_make_no_difference(strategy: Strategy) -> None:
+    """Whatever is told in their place, and also when the search is stopped and restored now and then."""
+    exact, rough, rng, lowered = strategy.start(8, 1), strategy.start(8, 1), np.random.default_rng(2), 0
+    while not exact.done:
+        genomes, again = exact.ask(), rough.ask()
+        assert genomes.tobytes() == again.tobytes()
+        floors, scores = rough.floors(), hill(genomes)
+        assert floors.tobytes() == exact.floors().tobytes()
+        lowered += int((scores <= floors).sum())
+        exact.tell(scores)
+        rough.tell(np.where(scores <= floors, rng.choice([0.0, 0.9], len(floors)) * np.maximum(floors, 0), scores))
+        kept, other = exact.state(), rough.state()
+        assert all(kept[name].tobytes() == other[name].tobytes() for name in kept)
+        if rng.random() < 0.3:
+            rough = strategy.start(8, 1)
+            rough.restore(other)
+    assert lowered > 100
+
+
+def test_floors_fail_before_ask(strategy: Strategy) -> None:
+    with pytest.raises(ValueError, match="ask for genomes first"):
+        strategy.start(8, 1).floors()
+
+
 def test_ask_fails_when_called_twice(strategy: Strategy) -> None:
     search = strategy.start(8, 1)
     search.ask()

@@ -2,7 +2,15 @@ from __future__ import annotations
 
 import numpy as np
 
-from treefit.search.operators import fittest, mutate, one_dot_crossover, pick_parents, uniform_crossover
+from treefit.search.operators import (
+    TRIES,
+    fittest,
+    mutate,
+    one_dot_crossover,
+    pick_parents,
+    uniform_crossover,
+    without_twins,
+)
 
 
 def rng() -> np.random.Generator:
@@ -48,3 +56,18 @@ def test_the_fittest_come_best_first() -> None:
     genomes, scores = fittest(np.arange(5.0)[:, None], np.array([1.0, 5.0, 3.0, 5.0, 0.0]), 3)
     assert genomes.ravel().tolist() == [1, 3, 2]
     assert scores.tolist() == [5, 5, 3]
+
+
+def test_only_twins_are_changed_and_no_twin_is_left() -> None:
+    population, children = np.array([[1.0], [2.0]]), np.array([[3.0], [1.0], [3.0], [4.0], [2.0]])
+    single = without_twins(children, population, lambda twins: twins + 0.5)
+    assert single.ravel().tolist() == [3.0, 1.5, 3.5, 4.0, 2.5]
+
+
+def test_a_twin_that_becomes_another_twin_is_changed_again() -> None:
+    population = np.arange(float(TRIES))[:, None]
+    assert without_twins(np.zeros((1, 1)), population, lambda twins: twins + 1).tolist() == [[TRIES]]
+
+
+def test_twins_that_cannot_be_changed_are_kept() -> None:
+    assert without_twins(np.zeros((3, 2)), np.zeros((1, 2)), lambda twins: twins).tolist() == [[0.0, 0.0]] * 3

@@ -42,8 +42,29 @@ def test_the_root_starts_from_the_fittest_of_its_children() -> None:
     while search.level > 0:
         before = search.scores
         search.tell(search.ask().sum(axis=1))
-    assert search.scores.shape == (1, 20)
+    assert search.scores.shape == (1, 10)
     assert search.scores[0, 0] >= before.max()
+
+
+def test_the_root_starts_from_the_better_half_of_two_whole_populations() -> None:
+    """What is dropped early, the worse half of each population, would not have been among them."""
+    search = SMALL.start(5, 0)
+    while search.level > 0:
+        before, asked = search.scores, search.ask().sum(axis=1).reshape(len(search.scores), -1)
+        search.tell(asked.ravel())
+    everyone = np.concatenate([before, asked], axis=1)
+    assert search.scores[0].tolist() == sorted(everyone.ravel(), reverse=True)[:10]
+
+
+@pytest.mark.parametrize("crossover", ["one_dot", "uniform"])
+def test_no_child_equals_a_survivor_or_another_child_of_its_population(crossover: str) -> None:
+    search = TreeGA(4000, 20, 30, 20, mutation_chance=0.1, crossover=crossover).start(8, 0)
+    while not search.done:
+        nodes, survivors, children = len(search.genomes), search.genomes, search.ask()
+        if len(children) % nodes == 0:
+            for old, new in zip(survivors, children.reshape(nodes, -1, 8), strict=True):
+                assert len(np.unique(np.concatenate([old, new]), axis=0)) == len(old) + len(new)
+        search.tell(1 - ((children - 0.3) ** 2).mean(axis=1))
 
 
 @pytest.mark.parametrize("field", ["evaluations", "population", "mutation_chance"])

@@ -15,22 +15,28 @@ class Archive:
         self.genomes: Genomes = np.empty((0, n_genes))
         self.scores: Scores = np.empty(0)
 
+    @property
+    def floor(self) -> float:
+        """Score at or under which no candidate of the next `add` is taken in; 0 while there is room."""
+        return float(self.scores[-1]) if len(self.scores) == self.capacity else 0.0
+
     def add(self, genomes: Genomes, scores: Scores) -> None:
-        """Take in the candidates (m, n) that are good enough; candidates of score 0 never are."""
+        """Take in the candidates (m, n) that are over the floor."""
+        floor = self.floor  # of before: one that replaces two makes room, which is not for those known to be hopeless
         for i in np.argsort(-scores, kind="stable"):
-            floor = self.scores[-1] if len(self.scores) == self.capacity else 0.0
-            if scores[i] <= floor:
+            if scores[i] <= max(floor, self.floor):
                 return
             self._add_one(genomes[i], float(scores[i]))
 
     def _add_one(self, genome: Genomes, score: float) -> None:
-        near = np.sqrt(np.mean((self.genomes - genome) ** 2, axis=1)) < self.distance
-        if (self.scores[near] >= score).any():
+        apart = self.genomes - genome
+        kept = np.einsum("ij,ij->i", apart, apart) >= self.distance**2 * len(genome)
+        at = int(np.searchsorted(-self.scores, -score, side="right"))
+        if not kept[:at].all():  # near to a better one
             return
-        kept = ~near
-        at = int(np.searchsorted(-self.scores[kept], -score, side="right"))
-        self.genomes = np.insert(self.genomes[kept], at, genome, axis=0)[: self.capacity]
-        self.scores = np.insert(self.scores[kept], at, score)[: self.capacity]
+        better, worse = slice(at), np.flatnonzero(kept[at:]) + at
+        self.genomes = np.concatenate([self.genomes[better], genome[None], self.genomes[worse]])[: self.capacity]
+        self.scores = np.concatenate([self.scores[better], [score], self.scores[worse]])[: self.capacity]
 
     def best(self, count: int) -> tuple[Genomes, Scores]:
         """At most `count` genomes and scores, best first."""

@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 
 from treefit.search.optimizer import Genomes, Scores
+
+TRIES = 5
+"""Times that a child which equals another is changed, before it is scored again."""
 
 
 def fittest(genomes: Genomes, scores: Scores, count: int) -> tuple[Genomes, Scores]:
@@ -49,3 +54,26 @@ def mutate(genomes: Genomes, chance: float, share: float, step: float, rng: np.r
     moved = np.clip(genomes + step * rng.standard_normal((m, n)), 0.0, 1.0)
     drawn = rng.random((m, n))
     return np.where(mutated, np.where(rng.random((m, n)) < 0.5, drawn, moved), genomes)
+
+
+def without_twins(children: Genomes, population: Genomes, change: Callable[[Genomes], Genomes]) -> Genomes:
+    """Children (m, n) of which those that equal one of `population` (p, n) or an earlier child went through `change`.
+
+    It is tried a few times, for a change may lead to another twin.
+    """
+    children = children.copy()
+    for _ in range(TRIES):
+        twins = _twins(children, population)
+        if not twins:
+            break
+        children[twins] = change(children[twins])
+    return children
+
+
+def _twins(children: Genomes, population: Genomes) -> list[int]:
+    seen, twins = {genome.tobytes() for genome in population}, []
+    for i, genome in enumerate(children):
+        if genome.tobytes() in seen:
+            twins.append(i)
+        seen.add(genome.tobytes())
+    return twins

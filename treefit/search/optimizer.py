@@ -27,6 +27,12 @@ class Optimizer(Protocol):
     def ask(self) -> Genomes:
         """Genomes (m, n) to score; ValueError when the last ones were not told yet."""
 
+    def floors(self) -> Scores:
+        """Scores (m,), one for each genome asked last: whatever is told at or under it, the search goes on the same.
+
+        Minus infinity where every score matters.
+        """
+
     def tell(self, scores: Scores) -> None:
         """Take the scores (m,) of the genomes asked last, higher is better."""
 

@@ -46,6 +46,12 @@ class RandomRun:
         self._asked = rng.random((min(self.settings.batch, self.settings.evaluations - self.told), self.n_genes))
         return self._asked
 
+    def floors(self) -> Scores:
+        """Floor of the archive, for all."""
+        if self._asked is None:
+            raise ValueError("floors: ask for genomes first")
+        return np.full(len(self._asked), self.archive.floor)
+
     def tell(self, scores: Scores) -> None:
         """Take the scores."""
         if self._asked is None or len(scores) != len(self._asked):

@@ -1,7 +1,8 @@
 """The paper's tree of elementary genetic algorithms (sec. 5, fig. 3), one level at a time.
 
 Leaves start from random genomes, every other node from the fittest of its two children. All nodes of a level form one
-(t, p, n) array, so that an ask is one large batch; each node has its own random stream.
+(t, p, n) array, so that an ask is one large batch; each node has its own random stream. Kept of a population are its
+survivors, the better half: only they have children, and no other can be among the better half of two joined ones.
 """
 
 from __future__ import annotations
@@ -12,7 +13,7 @@ from pydantic import ConfigDict, Field
 from pydantic.dataclasses import dataclass
 
 from treefit.search.archive import Archive
-from treefit.search.operators import fittest, mutate, one_dot_crossover, pick_parents, uniform_crossover
+from treefit.search.operators import fittest, mutate, one_dot_crossover, pick_parents, uniform_crossover, without_twins
 from treefit.search.optimizer import Genomes, Scores, State
 
 
@@ -39,7 +40,7 @@ class TreeGASearch:
 
     def __init__(self, settings: TreeGA, n_genes: int, seed: int) -> None:
         self.settings, self.n_genes, self.seed = settings, n_genes, seed
-        self.depth = _depth(settings)
+        self.depth, self.survivors = _depth(settings), settings.population - settings.population // 2
         self.archive = Archive(n_genes)
         self.level, self.generation, self.told = self.depth - 1, 0, 0
         self.genomes: NDArray[np.float64] = np.empty((2**self.level, 0, n_genes))
@@ -68,6 +69,15 @@ class TreeGASearch:
         self._asked = np.concatenate(nodes)[: self.settings.evaluations - self.told]
         return self._asked
 
+    def floors(self) -> Scores:
+        """Lower of two floors: that of the archive, and the worst survivor of the child's population."""
+        if self._asked is None:
+            raise ValueError("floors: ask for genomes first")
+        if self.scores.shape[1] < self.survivors:
+            return np.full(len(self._asked), -np.inf)
+        floors = np.minimum(self.scores[:, -1], self.archive.floor)
+        return np.repeat(floors, self.settings.population // 2)[: len(self._asked)]
+
     def tell(self, scores: Scores) -> None:
         """Take the scores; the worst half of each population makes room for the children."""
         if self._asked is None or len(scores) != len(self._asked):
@@ -75,23 +85,22 @@ class TreeGASearch:
         asked, self._asked = self._asked, None
         self.told += len(asked)
         self.archive.add(asked, scores)
-        nodes, n = self.genomes.shape[0], self.n_genes
-        if len(asked) % nodes:  # the last batch, cut by the budget
+        if self.done:  # the last batch, which the budget may have cut anywhere
             return
-        joined = np.concatenate([self._survivors()[0], asked.reshape(nodes, -1, n)], axis=1)
-        joined_scores = np.concatenate([self._survivors()[1], scores.reshape(nodes, -1)], axis=1)
-        kept = [fittest(g, s, self.settings.population) for g, s in zip(joined, joined_scores, strict=True)]
-        self.genomes, self.scores = np.stack([g for g, _ in kept]), np.stack([s for _, s in kept])
+        nodes, n = self.genomes.shape[0], self.n_genes
+        self._keep_fittest(np.concatenate([self.genomes, asked.reshape(nodes, -1, n)], axis=1),
+                           np.concatenate([self.scores, scores.reshape(nodes, -1)], axis=1))  # fmt: skip
         self.generation += 1
-        if self.level > 0 and self.generation > self._generations():
-            self._rise()
+        if self.level > 0 and self.generation > self._generations():  # the next level: of two populations the fittest
+            self._keep_fittest(self.genomes.reshape(nodes // 2, -1, n), self.scores.reshape(nodes // 2, -1))
+            self.level, self.generation = self.level - 1, 0
 
     def best(self, count: int) -> tuple[Genomes, Scores]:
         """Distinct best of the whole run."""
         return self.archive.best(count)
 
     def state(self) -> dict[str, NDArray[np.generic]]:
-        """Populations, archive and counters."""
+        """Survivors, archive and counters."""
         return {
             "genomes": self.genomes, "scores": self.scores, "archive_genomes": self.archive.genomes,
             "archive_scores": self.archive.scores, "counters": np.array([self.level, self.generation, self.told]),
@@ -108,17 +117,18 @@ class TreeGASearch:
     def _strangers(self, rng: np.random.Generator) -> Genomes:
         return rng.random((self.settings.start_population, self.n_genes))
 
-    def _survivors(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        half = self.settings.population - self.settings.population // 2
-        return self.genomes[:, :half], self.scores[:, :half]
-
     def _children(self, node: int, rng: np.random.Generator) -> Genomes:
-        genomes, scores = (array[node] for array in self._survivors())
-        parents = pick_parents(scores, self.settings.population // 2, rng)
-        cross = one_dot_crossover if self.settings.crossover == "one_dot" else uniform_crossover
+        s, genomes = self.settings, self.genomes[node]
+        parents = pick_parents(self.scores[node], s.population // 2, rng)
+        cross = one_dot_crossover if s.crossover == "one_dot" else uniform_crossover
         children = cross(genomes[parents[:, 0]], genomes[parents[:, 1]], rng)
-        s = self.settings
-        return mutate(children, s.mutation_chance, s.mutation_genes, s.mutation_step, rng)
+        mutants = mutate(children, s.mutation_chance, s.mutation_genes, s.mutation_step, rng)
+        return without_twins(mutants, genomes, lambda twins: mutate(twins, 1.0, s.mutation_genes, s.mutation_step, rng))
+
+    def _keep_fittest(self, genomes: NDArray[np.float64], scores: NDArray[np.float64]) -> None:
+        """Let the fittest of each of the populations (t, p, n) survive."""
+        kept = [fittest(g, s, self.survivors) for g, s in zip(genomes, scores, strict=True)]
+        self.genomes, self.scores = np.stack([g for g, _ in kept]), np.stack([s for _, s in kept])
 
     def _generations(self) -> int:
         """Generations of every node, so that the budget is spent; the root takes what is left over."""
@@ -126,17 +136,6 @@ class TreeGASearch:
         nodes = 2 * leaves - 1
         spent = leaves * self.settings.start_population
         return max(1, (self.settings.evaluations - spent) // (nodes * (self.settings.population // 2)))
-
-    def _rise(self) -> None:
-        """Form the populations of the next level: the fittest of two children each."""
-        size = self.settings.population
-        pairs = (
-            self.genomes.reshape(len(self.genomes) // 2, -1, self.n_genes),
-            self.scores.reshape(len(self.genomes) // 2, -1),
-        )
-        kept = [fittest(g, s, size) for g, s in zip(*pairs, strict=True)]
-        self.genomes, self.scores = np.stack([g for g, _ in kept]), np.stack([s for _, s in kept])
-        self.level, self.generation = self.level - 1, 0
 
 
 def _depth(settings: TreeGA) -> int:
