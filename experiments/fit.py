@@ -8,15 +8,17 @@ from typing import cast
 from omegaconf import DictConfig
 
 from experiments.build import build
+from experiments.candidate_facts import metrics
+from experiments.candidate_words import row
 from experiments.errors import UserError
 from experiments.read_tree import ReadTree, read_tree
 from experiments.run_folder import run_folder
 from experiments.run_log import RunLog
 from experiments.settings import read_settings
-from experiments.summary import rows, summary
+from experiments.summary import summary
 from experiments.sweep_parent import parent_run
 from experiments.terminal import Progress, print_results
-from experiments.write_run import write_candidates, write_gallery, write_json, write_page
+from experiments.write_run import write_candidates, write_gallery, write_json, write_page, write_table
 from treefit.asset import AssetSettings
 from treefit.checkpoint import CheckpointError
 from treefit.evaluation import Evaluator
@@ -55,13 +57,13 @@ def _fit_and_write(cfg: DictConfig, tree: ReadTree, tracker: Tracker, folder: Pa
     result = _fit(cfg, tree.extraction.mask, generator, tracker, folder)
     found = result.candidates
     meshes = write_candidates(folder, found, generator, asset)
-    write_gallery(folder, tree, found, f"{tree.name} by {generator.name}")
+    write_gallery(folder, tree, found, meshes, f"{tree.name} by {generator.name}")
     write_page(folder, tree, found, meshes)
     write_json(folder / "summary.json", summary(result, generator, tree, cfg.seed, meshes))
-    best = found[0]
-    tracker.log({"silhouette_iou": best.silhouette_iou, "class_iou": best.class_iou,
-                 "vertices": best.plant.n_vertices}, result.evaluations)  # fmt: skip
-    print_results(rows(result, meshes), folder, tracker.where)
+    write_table(folder / "candidates.csv", found, meshes)
+    tracker.log(metrics(found[0], meshes[0]), result.evaluations)
+    rows = [row(i + 1, *each) for i, each in enumerate(zip(found, meshes, strict=True))]
+    print_results(rows, folder, tracker.where)
 
 
 def _fit(cfg: DictConfig, mask: Mask, generator: Generator, tracker: Tracker, folder: Path) -> Result:

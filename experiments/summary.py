@@ -1,9 +1,10 @@
-"""Summary of a run: summary.json, read by other programs, and the rows of the table at its end."""
+"""Summary of a run: summary.json, read by other programs."""
 
 from __future__ import annotations
 
 from importlib.metadata import version
 
+from experiments.candidate_facts import record
 from experiments.read_tree import ReadTree
 from treefit.asset import MeshCounts
 from treefit.candidates import Candidate
@@ -41,30 +42,8 @@ def summary(
 
 def _candidate(found: Candidate, mesh: MeshCounts) -> dict[str, object]:
     return {
-        "score": found.score.total,
-        "image_similarity": found.score.image,
+        **record(found, mesh),
         "multipliers": dict(found.score.multipliers),
-        "score_other_seeds": found.score_other_seeds,
-        "silhouette_iou": found.silhouette_iou,
-        "class_iou": found.class_iou,
-        "vertices": found.plant.n_vertices,
-        "leaves": found.plant.n_leaves,
-        "triangles": mesh.triangles,
-        "height_m": found.extent.height,
-        "width_m": found.extent.width,
         "seed": found.seed,
         "values": dict(found.values),
     }
-
-
-def rows(result: Result, meshes: list[MeshCounts]) -> list[dict[str, float | int | str]]:
-    """Rows of the table shown in the terminal, a candidate each."""
-    return [
-        {
-            "candidate": i + 1, "score": found.score.total,
-            "other seeds": "-" if found.score_other_seeds is None else found.score_other_seeds,
-            "silhouette IoU": found.silhouette_iou, "class IoU": found.class_iou, "vertices": found.plant.n_vertices,
-            "leaves": found.plant.n_leaves, "triangles": mesh.triangles, "height": f"{found.extent.height:.1f} m",
-        }
-        for i, (found, mesh) in enumerate(zip(result.candidates, meshes, strict=True))
-    ]  # fmt: skip

@@ -9,8 +9,14 @@ from io import BytesIO
 from pathlib import Path
 from urllib.parse import quote
 
+from experiments.candidate_facts import BY_NAME
 from experiments.sweep_picture import thumbnail
 from experiments.sweep_table import Job, SweepTable
+
+MEASURES = ("silhouette_iou", "hull_iou", "class_iou", "texture")
+"""Facts of the best candidate that a cell shows under its scores."""
+
+LEGEND = "Each cell: best candidate, its score, its mean score on other seeds, and how it agrees with the mask."
 
 HEAD = """<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><title>treefit sweep</title>
@@ -37,7 +43,7 @@ def write_page(table: SweepTable, file: Path) -> None:
     heads = "".join(f"<th>{escape(column)}</th>" for column in table.columns)
     body = "".join(_row(table, row, file.parent) for row in table.rows)
     title = f"<h1>{escape(file.parent.name)}</h1>"
-    legend = "<p><small>Each cell: best candidate, its score, and its mean score on other seeds.</small></p>"
+    legend = f"<p><small>{LEGEND}</small></p>"
     page = f"{HEAD}{title}{legend}<div class=wide><table><thead><tr><th></th>{heads}</tr></thead><tbody>{body}"
     file.write_text(f"{page}</tbody></table></div></body></html>\n", encoding="utf-8")
 
@@ -57,8 +63,14 @@ def _cell(job: Job | None, best: float | None, folder: Path) -> str:
     shown = f"<td{' class=best' if best is not None and job.score == best else ''}>{_image(job.picture)}"
     if job.score is not None:
         other = f"<small>{job.score_other_seeds:.3f}</small>" if job.score_other_seeds is not None else ""
-        shown += f"<div class=score><b>{job.score:.3f}</b>{other}</div>"
+        shown += f"<div class=score><b>{job.score:.3f}</b>{other}</div>{_measures(job)}"
     return f"{shown}{_link(job.folder / 'viewer.html', folder)}</td>"
+
+
+def _measures(job: Job) -> str:
+    known = ((BY_NAME[name], job.facts[name]) for name in MEASURES if name in job.facts)
+    lines = (f"<small>{fact.words}</small><small>{fact.value(number)}</small>" for fact, number in known)
+    return "".join(f"<div class=score>{line}</div>" for line in lines)
 
 
 def _link(page: Path, folder: Path) -> str:

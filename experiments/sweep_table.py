@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 JOB_FILE = "job.json"
@@ -14,7 +14,7 @@ PICTURES = ("candidates/1/picture.png", "gallery.png", "mask_overlay.png")
 
 @dataclass(frozen=True)
 class Job:
-    """One run of a sweep; `score` is that of its best candidate, `status` running, done or failed."""
+    """One run of a sweep; `status` is running, done or failed, scores and `facts` are those of its best candidate."""
 
     folder: Path
     number: int
@@ -24,6 +24,7 @@ class Job:
     error: str
     score: float | None = None
     score_other_seeds: float | None = None
+    facts: Mapping[str, float] = field(default_factory=dict)
 
     @property
     def picture(self) -> Path | None:
@@ -75,7 +76,7 @@ def _column(job: Job, differing: Sequence[str]) -> str:
 
 def _read_job(file: Path) -> Job:
     record = json.loads(file.read_text(encoding="utf-8"))
-    score, other = _scores(file.parent / "summary.json")
+    facts = _facts(file.parent / "summary.json")
     return Job(
         folder=file.parent,
         number=int(record["number"]),
@@ -83,15 +84,16 @@ def _read_job(file: Path) -> Job:
         image=str(record["image"]),
         status=str(record["status"]),
         error=str(record["error"]),
-        score=score,
-        score_other_seeds=other,
+        score=facts.get("score"),
+        score_other_seeds=facts.get("score_other_seeds"),
+        facts=facts,
     )
 
 
-def _scores(file: Path) -> tuple[float | None, float | None]:
-    """Score of the best candidate on the seed of the search and on others, None when not known."""
+def _facts(file: Path) -> dict[str, float]:
+    """Numbers known of the best candidate, by name; none when the run has no summary."""
     if not file.is_file():
-        return None, None
+        return {}
     summary = json.loads(file.read_text(encoding="utf-8"))
     best = (summary.get("candidates") or [summary])[0]
-    return best.get("score"), best.get("score_other_seeds")
+    return {name: float(value) for name, value in best.items() if isinstance(value, float | int)}

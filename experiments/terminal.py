@@ -81,7 +81,7 @@ def time_left(evaluations: int, rate: float) -> str:
     return f"{minutes} min {seconds} s left" if minutes else f"{seconds} s left"
 
 
-def print_results(console_rows: Sequence[Mapping[str, float | int | str]], folder: Path, where: str) -> None:
+def print_results(console_rows: Sequence[Mapping[str, str]], folder: Path, where: str) -> None:
     """Print the candidates (one row each, columns by key, best first) and the two commands to go on with.
 
     `folder` is the run's, with its viewer.html; `where` says how to browse the run, "" when it is not kept.
@@ -116,17 +116,10 @@ def _next_commands(console: Console, head: str, page: Path, where: str) -> None:
         console.print(line, highlight=False, markup=False, soft_wrap=True)
 
 
-def _table(rows: Sequence[Mapping[str, float | int | str]]) -> Table:
+def _table(rows: Sequence[Mapping[str, str]]) -> Table:
     table = Table(box=None, pad_edge=False, padding=(0, 1, 0, 0), header_style="bold")
     for name in rows[0]:
-        words = name.replace("_", " ")
-        table.add_column(words, justify="right", min_width=max(map(len, words.split())))
+        table.add_column("\n".join(name.split()), justify="right", vertical="bottom", no_wrap=True)
     for row in rows:
-        table.add_row(*(_shown(value) for value in row.values()))
+        table.add_row(*row.values())
     return table
-
-
-def _shown(value: float | int | str) -> str:
-    if isinstance(value, float):
-        return f"{value:.3f}"
-    return f"{value:,}" if isinstance(value, int) else value

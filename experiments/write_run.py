@@ -1,13 +1,16 @@
-"""What a fit leaves behind: files of every candidate, gallery, viewer page and summary."""
+"""What a fit leaves behind: files of every candidate, gallery, viewer page, table and summary."""
 
 from __future__ import annotations
 
+import csv
 import json
 from pathlib import Path
 
 import numpy as np
 from PIL import Image
 
+from experiments.candidate_facts import record
+from experiments.candidate_words import caption, tables
 from experiments.read_tree import ReadTree
 from experiments.run_folder import candidate_folder
 from treefit.asset import (
@@ -44,46 +47,36 @@ def _write_candidate(folder: Path, found: Candidate, generator: Generator, asset
     return write_glb(found.plant, folder / "tree.glb", asset)
 
 
-def write_gallery(folder: Path, tree: ReadTree, found: list[Candidate], title: str) -> None:
+def write_gallery(folder: Path, tree: ReadTree, found: list[Candidate], meshes: list[MeshCounts], title: str) -> None:
     """Write gallery.png: picture and mask beside those of the candidates, as in the paper's figures 4 to 9."""
     entries = [
         GalleryEntry(
             f"candidate {i + 1}",
             np.asarray(Image.open(candidate_folder(folder, i + 1) / "picture.png")),
             candidate.mask,
-            _captions(candidate),
+            caption(candidate, mesh),
         )
-        for i, candidate in enumerate(found)
+        for i, (candidate, mesh) in enumerate(zip(found, meshes, strict=True))
     ]
     Image.fromarray(gallery(tree.picture.rgb, tree.extraction.mask, entries, title)).save(folder / "gallery.png")
-
-
-def _captions(found: Candidate) -> tuple[str, ...]:
-    other = "" if found.score_other_seeds is None else f" (other seeds {found.score_other_seeds:.3f})"
-    return (
-        f"score {found.score.total:.3f}{other}",
-        f"silhouette IoU {found.silhouette_iou:.2f}, class IoU {found.class_iou:.2f}",
-        f"{found.plant.n_vertices:,} vertices, {found.plant.n_leaves:,} leaves",
-    )
 
 
 def write_page(folder: Path, tree: ReadTree, found: list[Candidate], meshes: list[MeshCounts]) -> None:
     """Write viewer.html: the candidates in 3D beside the picture."""
     trees = [
-        (f"candidate {i + 1}", candidate_folder(folder, i + 1) / "tree.glb", _facts(candidate, mesh))
+        (f"candidate {i + 1}", candidate_folder(folder, i + 1) / "tree.glb", tables(candidate, mesh))
         for i, (candidate, mesh) in enumerate(zip(found, meshes, strict=True))
     ]
     write_viewer(folder / "viewer.html", trees, tree.picture.rgb, tree.extraction.mask)
 
 
-def _facts(found: Candidate, mesh: MeshCounts) -> dict[str, str | float]:
-    other = {} if found.score_other_seeds is None else {"score on other seeds": found.score_other_seeds}
-    return {
-        "score": found.score.total, **other, "image similarity": found.score.image,
-        "silhouette IoU": found.silhouette_iou, "class IoU": found.class_iou, "vertices": found.plant.n_vertices,
-        "leaves": found.plant.n_leaves, "triangles": mesh.triangles, "height in m": found.extent.height,
-        "width in m": found.extent.width,
-    }  # fmt: skip
+def write_table(path: Path, found: list[Candidate], meshes: list[MeshCounts]) -> None:
+    """Write candidates.csv: a row a candidate, a column a fact; empty where it is not known."""
+    records = [record(candidate, mesh) for candidate, mesh in zip(found, meshes, strict=True)]
+    with path.open("w", encoding="utf-8", newline="") as file:
+        table = csv.DictWriter(file, ["candidate", *records[0]], lineterminator="\n")
+        table.writeheader()
+        table.writerows({"candidate": i + 1, **known} for i, known in enumerate(records))
 
 
 def write_json(path: Path, facts: dict[str, object]) -> None:

@@ -3,31 +3,36 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 
 import numpy as np
 
 from treefit.mask import Mask
 from treefit.objective import Objective, Score
-from treefit.plant import Genome, Plant, Value
+from treefit.plant import Genome, Plant, Value, check_plant
 from treefit.plant.extent import Extent, extent_of
-from treefit.similarity.measures import class_iou, silhouette_iou
-from treefit.view.frame import sample
+from treefit.similarity.measures import Agreement, agreement, mean_agreement
+from treefit.view.frame import Frame, sample
 
 REPORT_HEIGHT = 256  # rows at which masks are compared in reports
 
 
 @dataclass(frozen=True, eq=False)
 class Candidate:
-    """One tree: its genome (n,), values by name, seed, scores, and the plant with its mask at 256 rows."""
+    """One tree: its genome (n,), values by name, seed, the plant with its mask at 256 rows, and how good it is.
+
+    `score` and `agreement` are those of this plant, the other two the mean over the same values on other seeds, None
+    when there were none.
+    """
 
     genome: Genome
     values: Mapping[str, Value]
     seed: int
     score: Score
     score_other_seeds: float | None
-    silhouette_iou: float
-    class_iou: float
+    agreement: Agreement
+    agreement_other_seeds: Agreement | None
     plant: Plant
     extent: Extent
     mask: Mask
@@ -57,15 +62,27 @@ def judge(objective: Objective, genome: Genome, target: Mask, other_seeds: int) 
     plant = objective.grow(genome, objective.seed)
     frame = objective.frame.finer(REPORT_HEIGHT)
     wanted, mask = sample(target, frame), objective.view(plant, frame).unpack()
+    others = [_on(objective, genome, objective.seed + 1 + i, frame) for i in range(other_seeds)]
     return Candidate(
-        genome, objective.space.decode(genome), objective.seed, objective.score(plant),
-        _on_other_seeds(objective, genome, other_seeds), silhouette_iou(wanted, mask), class_iou(wanted, mask), plant,
-        extent_of(plant), mask,
-    )  # fmt: skip
+        genome=genome,
+        values=objective.space.decode(genome),
+        seed=objective.seed,
+        score=objective.score(plant),
+        score_other_seeds=float(np.mean([score for score, _ in others])) if others else None,
+        agreement=agreement(wanted, mask),
+        agreement_other_seeds=mean_agreement([agreement(wanted, other) for _, other in others]),
+        plant=plant,
+        extent=extent_of(plant),
+        mask=mask,
+    )
 
 
-def _on_other_seeds(objective: Objective, genome: Genome, count: int) -> float | None:
-    if count == 0:
-        return None
-    seeds = range(objective.seed + 1, objective.seed + 1 + count)
-    return float(np.mean([objective.on(seed)(genome).total for seed in seeds]))
+def _on(objective: Objective, genome: Genome, seed: int, frame: Frame) -> tuple[float, Mask]:
+    """Score and mask of `genome` on another seed; 0 and an empty mask where its plant cannot be scored."""
+    with suppress(Exception):  # a foreign generator may fail on this seed only, and must not end the run
+        plant = objective.grow(genome, seed)
+        check_plant(plant)
+        score = objective.score(plant)
+        if score.failure is None:
+            return score.total, objective.view(plant, frame).unpack()
+    return 0.0, np.zeros((frame.height, frame.width), np.uint8)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 import json
 import os
 import signal
@@ -54,13 +55,23 @@ def test_a_run_leaves_everything_that_was_promised(done: Path) -> None:
     candidate = ("tree.glb", "preset.yaml", "picture.png", "mask.png")
     assert {f"candidates/{i}/{name}" for i in (1, 2, 3) for name in candidate} < names
     assert {"summary.json", "history.jsonl", "mask.png", "mask_overlay.png", "gallery.png", "viewer.html",
-            "checkpoint.npz", "config.yaml"} < names  # fmt: skip
+            "candidates.csv", "checkpoint.npz", "config.yaml"} < names  # fmt: skip
     facts = json.loads((done / "summary.json").read_text(encoding="utf-8"))
     assert facts["evaluations"] == 1500
     assert facts["score"] == max(found["score"] for found in facts["candidates"])
-    assert {"score_other_seeds", "silhouette_iou", "class_iou", "vertices", "leaves", "triangles", "height_m",
-            "width_m",
-            "values"} <= set(facts["candidates"][0])  # fmt: skip
+    assert {"score_other_seeds", "silhouette_iou", "silhouette_iou_other_seeds", "texture", "vertices", "leaves",
+            "triangles", "height_m", "width_m", "values"} <= set(facts["candidates"][0])  # fmt: skip
+
+
+def test_the_table_of_candidates_says_what_the_summary_says(done: Path) -> None:
+    facts = json.loads((done / "summary.json").read_text(encoding="utf-8"))["candidates"]
+    with (done / "candidates.csv").open(encoding="utf-8", newline="") as file:
+        rows = [*csv.DictReader(file)]
+    assert [row.pop("candidate") for row in rows] == ["1", "2", "3"]
+    assert [{name: float(value) for name, value in row.items()} for row in rows] == [
+        {name: fact for name, fact in found.items() if isinstance(fact, int | float) and name != "seed"}
+        for found in facts
+    ]
 
 
 def test_the_same_seed_gives_the_same_bytes_on_two_workers(done: Path) -> None:

@@ -20,7 +20,7 @@ def make_sweep(folder: Path, images: list[str]) -> None:
         )  # fmt: skip
         if not failed:
             Image.new("RGB", (80, 120), "green").save(job / "candidates" / "1" / "picture.png")
-            best = {"score": 0.5 + number / 10, "score_other_seeds": 0.4}
+            best = {"score": 0.5 + number / 10, "score_other_seeds": 0.4, "hull_iou": 0.876, "values": {"whorl": 3}}
             (job / "summary.json").write_text(json.dumps({"score": best["score"], "candidates": [best]}))
 
 
@@ -31,6 +31,16 @@ def test_table_has_a_row_a_picture_and_a_column_a_choice(tmp_path: Path) -> None
     assert table.columns == ("a", "b")
     assert table.cells["y.png", "a"].score == 0.7
     assert table.cells["y.png", "b"].status == "failed"
+
+
+def test_page_shows_the_measures_that_are_known(tmp_path: Path) -> None:
+    make_sweep(tmp_path, ["x.png", "y.png"])
+    table = tabulate(read_jobs(tmp_path))
+    write_page(table, tmp_path / "sweep.html")
+    page = (tmp_path / "sweep.html").read_text()
+    assert table.cells["x.png", "a"].facts == {"score": 0.5, "score_other_seeds": 0.4, "hull_iou": 0.876}
+    assert page.count("<small>hull IoU</small><small>0.88</small>") == 3
+    assert "silhouette IoU" not in page
 
 
 def test_columns_name_all_settings_that_differ(tmp_path: Path) -> None:

@@ -49,7 +49,7 @@ def test_time_left_in_words(evaluations: int, rate: float, words: str) -> None:
 
 def test_results_end_with_the_next_commands(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     folder = tmp_path / "my run"
-    print_results([{"candidate": 1, "score": 0.8123, "vertices": 12345}], folder, "mlflow ui")
+    print_results([{"candidate": "1", "score": "0.812", "vertices": "12,345"}], folder, "mlflow ui")
     lines = capsys.readouterr().out.splitlines()
     assert lines[0].split() == ["candidate", "score", "vertices"]
     assert lines[1].split() == ["1", "0.812", "12,345"]

@@ -5,9 +5,9 @@ from treefit.asset.glb import MeshCounts, write_glb
 from treefit.asset.picture import picture
 from treefit.asset.preset import Preset, read_preset, write_preset
 from treefit.asset.settings import AssetSettings
-from treefit.asset.viewer import write_viewer
+from treefit.asset.viewer import FactRow, FactTable, write_viewer
 
 __all__ = [
-    "AssetSettings", "GalleryEntry", "MeshCounts", "Preset",
+    "AssetSettings", "FactRow", "FactTable", "GalleryEntry", "MeshCounts", "Preset",
     "gallery", "picture", "read_preset", "write_glb", "write_preset", "write_viewer",
 ]  # fmt: skip

@@ -8,7 +8,8 @@ import json
 import math
 import re
 import zipfile
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
+from dataclasses import dataclass
 from functools import cache
 from importlib import resources
 from pathlib import Path
@@ -19,29 +20,46 @@ from PIL import Image
 
 from treefit.mask import PALETTE, Mask
 
-Facts = Mapping[str, str | float]
-
 _PAGE = "viewer.html"  # beside this file; the words between double braces are filled in
 _SHOWN = 640  # longest side of the embedded picture in pixels
 _THREE_BEGINS, _THREE_ENDS = "/**\n * @license", "THREE.GLTFLoader=GLTFLoader;})();"  # trimesh's own start code follows
 
 
+@dataclass(frozen=True)
+class FactRow:
+    """One fact: its name, a value for each column of its table, and what it means, told when one points at it."""
+
+    name: str
+    values: Sequence[str | float]
+    meaning: str = ""
+
+
+@dataclass(frozen=True)
+class FactTable:
+    """Facts under one title; `columns` are heads of the values, `folded` shows the title only until it is clicked."""
+
+    title: str
+    rows: Sequence[FactRow]
+    columns: Sequence[str] = ()
+    folded: bool = False
+
+
 def write_viewer(
     path: Path | str,
-    glbs: Sequence[tuple[str, Path, Facts]],
+    glbs: Sequence[tuple[str, Path, Sequence[FactTable]]],
     picture_rgb: NDArray[np.uint8],
     mask: Mask,
 ) -> None:
-    """Write the page to `path`: a tab for each (name, GLB file, facts) of `glbs`, the picture and mask at the side."""
+    """Write the page to `path`: a tab for each (name, GLB file, tables) of `glbs`, the picture and mask at the side."""
     if not glbs:
         raise ValueError("viewer: needs one GLB file or more, got none")
     trees = [
         {
             "name": name,
-            "facts": [[fact, _shown(value)] for fact, value in facts.items()],
+            "tables": [_plain(table) for table in tables],
             "glb": base64.b64encode(Path(file).read_bytes()).decode("ascii"),
         }
-        for name, file, facts in glbs
+        for name, file, tables in glbs
     ]
     colours = np.array(PALETTE, dtype=np.uint8)[mask]
     parts = {
@@ -53,6 +71,11 @@ def write_viewer(
     template = resources.files("treefit.asset").joinpath(_PAGE).read_text(encoding="utf-8")
     page = re.sub(r"\{\{(\w+)\}\}", lambda found: parts[found.group(1)], template)
     Path(path).write_text(page, encoding="utf-8")
+
+
+def _plain(table: FactTable) -> dict[str, object]:
+    rows = [{"name": row.name, "meaning": row.meaning, "values": [*map(_shown, row.values)]} for row in table.rows]
+    return {"title": table.title, "columns": [*table.columns], "folded": table.folded, "rows": rows}
 
 
 def _for_script(content: object) -> str:
