@@ -27,6 +27,8 @@ TASKS = {
     "mask": ("mask",),
     "grow": ("generator", "asset"),
     "benchmark": ("generator", "similarity", "view"),
+    "fidelity": ("generator", "similarity", "view"),
+    "speed_study": ("generator", "view"),
 }
 """Groups that a task builds, by task."""
 
@@ -53,6 +55,35 @@ class Stop:
     seconds: Annotated[float, Field(gt=0)] | None
 
 
+Rows = Annotated[int, Field(ge=64, le=1024)]
+
+
+@dataclass(frozen=True)
+class Fidelity:
+    """What the task fidelity looks at."""
+
+    plants: Annotated[int, Field(ge=20, le=10_000)] = 300
+    rows: tuple[Rows, ...] = (64, 128, 256)
+
+
+@dataclass(frozen=True)
+class Benchmark:
+    """What the task benchmark measures besides the speed of one evaluation."""
+
+    startup: bool = False
+
+
+@dataclass(frozen=True)
+class SpeedStudy:
+    """What the task speed_study measures, and where its results go."""
+
+    vertices: Annotated[tuple[Annotated[int, Field(ge=10, le=200_000)], ...], Field(min_length=2)] = (
+        1_000, 2_000, 5_000, 10_000, 20_000, 50_000,
+    )  # fmt: skip
+    rows: Annotated[tuple[Rows, ...], Field(min_length=2)] = (64, 96, 128, 192, 256)
+    renew: bool = False
+
+
 @dataclass(frozen=True)
 class Settings:
     """Values of the run itself; files are names as the user gave them."""
@@ -67,6 +98,9 @@ class Settings:
     resume: Name | None
     preset: Name | None
     values: dict[str, bool | int | float | str]
+    fidelity: Fidelity = Fidelity()
+    benchmark: Benchmark = Benchmark()
+    speed_study: SpeedStudy = SpeedStudy()
 
     @field_validator("task")
     @classmethod
