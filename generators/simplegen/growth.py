@@ -1,160 +1,63 @@
-"""Growth of SimpleGen's branches: level by level, so that parents come first and the budget cuts the finest."""
+"""Growth of SimpleGen: trunk, branches level by level, twigs with their leaves; so the budget cuts the finest."""
 
 from __future__ import annotations
 
-import math
-from typing import NamedTuple
+import threading
 
 import numpy as np
 from numba import njit
+from numba.np.unsafe.ndarray import to_fixed_tuple
 from numpy.typing import NDArray
 
-from generators.simplegen.directions import frame, unit
-from treefit.plant.streams import child_key, circle, four
+from generators.simplegen.branches import grow_branches
+from generators.simplegen.chunk import FLOATS, KEYS
+from generators.simplegen.directions import FAST, ONCE
+from generators.simplegen.rules import STEM_FIELDS, Crown, LeafRule, LevelRule, Stems, Wood
+from generators.simplegen.trunk import grow_trunk
+from generators.simplegen.twigs import grow_twigs
 
-CHILD = 16  # first number of a joint's children
-STEM_FIELDS = 9  # position x y z, direction x y z, length, radius, parent vertex
-_HALF, _ZERO, _ONE, _TINY = np.float32(0.5), np.float32(0.0), np.float32(1.0), np.float32(1e-6)
-
-
-class Crown(NamedTuple):
-    """Envelope: length of the branches over the height of the crown, by the longest; change of their angle, rad."""
-
-    bottom: float
-    peak: float
-    top: float
-    power_low: float
-    power_high: float
-    angle_change: float
-    asymmetry: float
+_LEVEL, _CROWN, _LEAF = (len(rule._fields) for rule in (LevelRule, Crown, LeafRule))
 
 
-class LevelRule(NamedTuple):
-    """How the branches of one level grow and where their children begin; angles in rad, shares in [0, 1]."""
+class Scratch(threading.local):
+    """Memory of the kernels, one of each thread, kept from plant to plant."""
 
-    level: int
-    last: bool  # no children but leaves
-    joints: int  # of the branching part; each carries children
-    bare_joints: int  # of the bare part
-    start: float  # bare share
-    whorl: int  # children at each joint
-    angle: float  # of the children
-    length: float  # of the children, by that of their parent
-    radius: float  # of the children, by that of their parent there
-    taper: float
-    upwards: float  # turn from base to tip
-    rightwards: float  # the same
-    wobble: float
-    variation: float  # of the children's length
-    shortening: float  # of the children towards the tip
-    shortest: float  # m; children shorter than this do not grow
+    def __init__(self) -> None:
+        self.stems = np.empty((2, STEM_FIELDS, 0), np.float32)
+        self.stem_keys = np.empty((2, 0), np.uint32)
+        self.floats, self.keys = np.zeros(FLOATS, np.float32), np.zeros(KEYS, np.uint32)
+
+    def room(self, stems: int) -> tuple[NDArray[np.generic], ...]:
+        """Return its arrays, with room for `stems` branches of a level and those of the one before."""
+        if self.stem_keys.shape[1] < stems:
+            self.stems, self.stem_keys = np.empty((2, STEM_FIELDS, stems), np.float32), np.empty((2, stems), np.uint32)
+        return self.stems, self.stem_keys, self.floats, self.keys
 
 
-class Wood(NamedTuple):
-    """Arrays of the vertices, as those of a Plant; `xyz` is (3, v)."""
+@njit(**FAST)
+def grow(told, levels, length, radius, lean, key, scratch, numbers, integers, leaves):
+    """Grow a plant; return (vertices, leaves, whether the budget cut it).
 
-    xyz: NDArray[np.float32]
-    radius: NDArray[np.float32]
-    parent: NDArray[np.int32]
-    level: NDArray[np.int32]
-
-
-@njit(cache=True, nogil=True, error_model="numpy", fastmath={"contract", "nsz", "arcp"})
-def envelope(h: float, crown: Crown) -> float:
-    """Length of a branch at the height h in [0, 1] of the crown, by the longest."""
-    if h < crown.peak:
-        return crown.bottom + (1.0 - crown.bottom) * (h / crown.peak) ** crown.power_low
-    if crown.peak >= 1.0:
-        return 1.0
-    return crown.top + (1.0 - crown.top) * ((1.0 - h) / (1.0 - crown.peak)) ** crown.power_high
-
-
-@njit(inline="always", error_model="numpy", fastmath={"contract", "nsz", "arcp"})
-def _child(dx, dy, dz, cosine, sine, turn, sum_x, sum_y):
-    """Direction at an angle from (dx, dy, dz), `turn` turns around it, pushed away from the sum of earlier ones."""
-    ux, uy, uz, wx, wy, wz = frame(dx, dy, dz)
-    p, q = circle(turn)
-    x = cosine * dx + sine * (p * ux + q * wx)
-    y = cosine * dy + sine * (p * uy + q * wy)
-    z = cosine * dz + sine * (p * uz + q * wz)
-    side = math.sqrt(x * x + y * y)
-    push = _HALF * side / (math.sqrt(sum_x * sum_x + sum_y * sum_y) + _HALF)
-    x -= push * sum_x
-    y -= push * sum_y
-    stretch = side / (math.sqrt(x * x + y * y) + _TINY)  # as far to the side as before
-    return unit(x * stretch, y * stretch, z)
-
-
-@njit(cache=True, nogil=True, error_model="numpy", fastmath={"contract", "nsz", "arcp"})
-def grow_level(rule, crown, stems, keys, n_stems, wood, n, next_stems, next_keys):
-    """Grow the first `n_stems` of `stems` (STEM_FIELDS, m) into `wood` from vertex n on.
-
-    Children are put into `next_stems`, `next_keys`. Return (vertices, children, whether the budget cut it).
+    `told` are the numbers of the rules of all levels, of the crown and of the leaves. `numbers` (4, v) takes x, y, z
+    and radius, `integers` (2, v) parent and level, `leaves` (11, k) position, axis, normal, length and width.
     """
-    xyz, radius, parent, level = wood
-    m, trunk = 0, rule.level == 0
-    bare, count = rule.bare_joints, rule.bare_joints + rule.joints
-    sway = np.float32(2.0 * rule.wobble / math.sqrt(count))
-    shrink, start = np.float32(1.0 - rule.taper), np.float32(rule.start)
-    high_step = (_ONE - start) / np.float32(rule.joints)
-    length, shortening = np.float32(rule.length), np.float32(rule.shortening)
-    variation, per_whorl = np.float32(rule.variation), np.float32(1.0 / rule.whorl)
-    cosine, sine = np.float32(math.cos(rule.angle)), np.float32(math.sin(rule.angle))
-    for s in range(n_stems):
-        x, y, z = stems[0, s], stems[1, s], stems[2, s]
-        dx, dy, dz = stems[3, s], stems[4, s], stems[5, s]
-        t = _ZERO
-        before = np.int32(stems[8, s])
-        sum_x = sum_y = _ZERO
-        for i in range(1, count + 1):
-            if n >= len(radius):
-                return n, m, True
-            joint = child_key(keys[s], i)
-            wx, wy, wz, spin = four(joint)
-            now = start * np.float32(i) / np.float32(bare) if i <= bare else start + high_step * np.float32(i - bare)
-            step, t = now - t, now
-            rightwards, upwards = np.float32(rule.rightwards) * step, np.float32(rule.upwards) * step
-            step *= stems[6, s]
-            dx, dy, dz = unit(
-                dx + sway * (wx - _HALF) + rightwards, dy + sway * (wy - _HALF), dz + sway * (wz - _HALF) + upwards
-            )  # fmt: skip
-            x += dx * step
-            y += dy * step
-            z = max(z + dz * step, _ZERO)
-            r = stems[7, s] * (_ONE - t * shrink)
-            xyz[0, n], xyz[1, n], xyz[2, n] = x, y, z
-            radius[n], parent[n], level[n] = r, before, rule.level
-            before = np.int32(n)
-            n += 1
-            if rule.last or i <= bare:
-                continue
-            reach = stems[6, s] * length * (_ONE - shortening * t)
-            if trunk:
-                high = np.float32(i - bare) / np.float32(rule.joints)
-                reach = np.float32(stems[6, s] * length * envelope(float(high), crown))
-                bend = rule.angle + crown.angle_change * high
-                cosine, sine = np.float32(math.cos(bend)), np.float32(math.sin(bend))
-            for w in range(rule.whorl if i < count else 1):
-                if m >= next_stems.shape[1]:
-                    return n, m, True
-                twig = child_key(joint, CHILD + w)
-                spread, vary, _, _ = four(twig)
-                cx, cy, cz = dx, dy, dz  # the last child goes straight on
-                if i < count:
-                    turn = spin + (np.float32(w) + np.float32(0.6) * (spread - _HALF)) * per_whorl
-                    cx, cy, cz = _child(dx, dy, dz, cosine, sine, turn, sum_x, sum_y)
-                    sum_x += cx
-                    sum_y += cy
-                long = reach * (_ONE + variation * (np.float32(2.0) * vary - _ONE))
-                if trunk:
-                    long *= _ONE + np.float32(crown.asymmetry) * cx
-                if long < rule.shortest:
-                    continue
-                next_stems[0, m], next_stems[1, m], next_stems[2, m] = x, y, z
-                next_stems[3, m], next_stems[4, m], next_stems[5, m] = cx, cy, cz
-                next_stems[6, m] = long
-                next_stems[7, m] = r * np.float32(rule.radius) if i < count else r
-                next_stems[8, m] = before
-                next_keys[m] = twig
-                m += 1
-    return n, m, False
+    stems, stem_keys, floats, keys = scratch
+    wood = Wood(numbers, integers)
+    front, back = Stems(stems[0], stem_keys[0]), Stems(stems[1], stem_keys[1])
+    rest = told[levels * _LEVEL :]
+    crown = Crown(*to_fixed_tuple(rest[:_CROWN], _CROWN))
+    leaf_rule = LeafRule(*to_fixed_tuple(rest[_CROWN : _CROWN + _LEAF], _LEAF))
+    n, m, cut = grow_trunk(_rule(told, 0), crown, length, length * radius, lean, key, wood, front)
+    for level in range(1, levels - 1):
+        if cut:
+            return n, 0, True
+        n, m, cut = grow_branches(_rule(told, level), level, front, m, wood, n, back, floats, keys)
+        front, back = back, front
+    if cut:
+        return n, 0, True
+    return grow_twigs(_rule(told, levels - 1), levels - 1, leaf_rule, front, m, wood, n, leaves, floats, keys)
+
+
+@njit(**ONCE)
+def _rule(told, level):
+    return LevelRule(*to_fixed_tuple(told[level * _LEVEL : (level + 1) * _LEVEL], _LEVEL))

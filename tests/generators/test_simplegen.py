@@ -5,7 +5,8 @@ import pytest
 from scipy.stats import spearmanr
 
 from generators.simplegen import SimpleGen
-from generators.simplegen.growth import Crown, envelope
+from generators.simplegen.rules import Crown
+from generators.simplegen.trunk import envelope
 from generators.simplegen.parameters import NEUTRAL
 from tests.conftest import blob
 from treefit.fit import aim

@@ -9,7 +9,7 @@ from numba import njit
 from pydantic import ConfigDict, Field
 from pydantic.dataclasses import dataclass
 
-from treefit.plant.extent import extent_of, rows_of
+from treefit.plant.extent import extent_of
 from treefit.plant.plant import Plant
 
 VOXELS = 16  # voxels in the height of a plant, by which the volume of its crown is measured
@@ -96,7 +96,7 @@ def crown_volume(plant: Plant) -> float:
     """Volume in cubic metres of the voxels, a 16th of the height wide, that hold leaves (without leaves: vertices)."""
     box = extent_of(plant)
     side = box.height / VOXELS
-    points = rows_of(plant)[1 if plant.n_leaves else 0]
+    points = plant.rows[1 if plant.n_leaves else 0]
     return int(count_voxels(points, np.float32(1.0 / side))) * side**3
 
 

@@ -4,31 +4,11 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TypeAlias
 
 import numpy as np
 from numba import njit
-from numpy.typing import NDArray
 
 from treefit.plant.plant import Plant
-
-Row: TypeAlias = NDArray[np.float32]  # (v,) or (k,), contiguous
-Rows: TypeAlias = tuple[tuple[Row, ...], tuple[Row, ...], tuple[Row, ...], tuple[Row, ...], tuple[Row, ...]]
-
-
-def rows_of(plant: Plant) -> Rows:
-    """Position x y z, leaf position, axis, normal x y z, leaf length and width as contiguous rows.
-
-    Nothing is copied where the arrays of the plant are structures of arrays, as those of fast generators are.
-    """
-    return (
-        _rows(plant.position), _rows(plant.leaf_position), _rows(plant.leaf_axis), _rows(plant.leaf_normal),
-        _rows(plant.leaf_size),
-    )  # fmt: skip
-
-
-def _rows(array: NDArray[np.float32]) -> tuple[Row, ...]:
-    return tuple(np.ascontiguousarray(row, np.float32) for row in array.T)
 
 
 @dataclass(frozen=True)
@@ -49,32 +29,52 @@ class Extent:
 
 def extent_of(plant: Plant) -> Extent:
     """Measure a plant as seen along +y."""
-    rows = rows_of(plant)
-    top, near, far = height_and_depth(*rows, np.float32(1.0), np.float32(0.0))
+    rows = plant.rows
+    top = height_of(rows[0][2], rows[1][2], *rows[2:])
+    near, far = depth_of(rows[0][0], rows[0][1], np.float32(1.0), np.float32(0.0))
     left, right = sides(*rows)
     return Extent(float(top), float(left), float(right), float(near), float(far))
 
 
+_HALF, _CHUNK = np.float32(0.5), 512
+
+
 @njit(cache=True, nogil=True, error_model="numpy", fastmath={"nnan", "nsz", "contract", "arcp", "reassoc"})
-def height_and_depth(xyz, leaf_xyz, leaf_axis, leaf_normal, leaf_size, cos, sin):
-    """Height of the plant, nearest and farthest vertex when it is turned by the angle of `cos` and `sin`, in metres."""
-    px, py, pz = xyz
-    top, near, far = np.float32(1e-6), np.float32(1e30), np.float32(-1e30)
-    for i in range(len(px)):
-        top = pz[i] if pz[i] > top else top
-    for i in range(len(px)):
-        depth = cos * py[i] - sin * px[i]
-        near = depth if depth < near else near
-        far = depth if depth > far else far
+def height_of(z, leaf_z, leaf_axis, leaf_normal, leaf_size):
+    """Height of the plant in metres, leaves included."""
+    top = np.float32(1e-6)
+    for i in range(len(z)):
+        top = max(top, z[i])
     ax, ay, az = leaf_axis
     nx, ny, _ = leaf_normal
     length, width = leaf_size
-    lz, half = leaf_xyz[2], np.float32(0.5)
-    for i in range(len(lz)):
-        a, b = half * az[i] * length[i], half * (nx[i] * ay[i] - ny[i] * ax[i]) * width[i]
-        tip = lz[i] + a + math.sqrt(a * a + b * b)
-        top = tip if tip > top else top
-    return top, near, far
+    for first in range(0, len(leaf_z), _CHUNK):
+        end = min(first + _CHUNK, len(leaf_z))
+        if _highest(leaf_z[first:end], length[first:end], width[first:end]) <= top:
+            continue
+        for i in range(first, end):
+            a, b = _HALF * az[i] * length[i], _HALF * (nx[i] * ay[i] - ny[i] * ax[i]) * width[i]
+            top = max(top, leaf_z[i] + a + math.sqrt(a * a + b * b))
+    return top
+
+
+@njit(cache=True, nogil=True, error_model="numpy", fastmath={"nnan", "nsz", "contract", "arcp", "reassoc"}, no_cpython_wrapper=True)
+def _highest(z, length, width):
+    """Height that no leaf passes, whatever its direction."""
+    top = np.float32(0.0)
+    for i in range(len(z)):
+        top = max(top, z[i] + length[i] + width[i])
+    return top
+
+
+@njit(cache=True, nogil=True, error_model="numpy", fastmath={"nnan", "nsz", "contract", "arcp", "reassoc"})
+def depth_of(x, y, cos, sin):
+    """Nearest and farthest vertex when the plant is turned by the angle of `cos` and `sin`, in metres."""
+    near, far = np.float32(1e30), np.float32(-1e30)
+    for i in range(len(x)):
+        depth = cos * y[i] - sin * x[i]
+        near, far = min(near, depth), max(far, depth)
+    return near, far
 
 
 @njit(cache=True, nogil=True, error_model="numpy")

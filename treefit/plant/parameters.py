@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from difflib import get_close_matches
 from functools import cached_property, partial
+from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,6 +15,8 @@ from numpy.typing import NDArray
 Value = float | int | bool | str
 Values = Mapping[str, Value]
 Genome = NDArray[np.float64]  # (n,) in [0, 1]
+Line: TypeAlias = tuple[float, float, float | None, float, bool, Callable[[float], Value] | None]
+Decoder: TypeAlias = tuple[str, float, float, float | None, float, bool, Callable[[float], Value] | None]
 
 SCALES = ("linear", "log")
 KINDS = ("float", "int", "bool", "choice")
@@ -46,21 +49,19 @@ class Parameter:
 
     def decode(self, gene: float) -> Value:
         """Value at `gene` in [0, 1]; ints, bools and choices share the interval in equal parts."""
-        return self.decoder(min(max(float(gene), 0.0), 1.0))
+        return ParameterSpace((self,)).decode(np.array([gene]))[self.name]
 
-    @cached_property
-    def decoder(self) -> Callable[[float], Value]:
-        """Function from a gene in [0, 1] to its value, made once: a search decodes millions."""
+    @property
+    def line(self) -> Line:
+        """How a gene becomes a value: low, span, rate of a log scale, most, whether whole; or another function."""
         if self.kind == "bool":
-            return _flag
+            return 0.0, 0.0, None, 0.0, False, _flag
         if self.kind == "choice":
-            return partial(_choice, self.choices)
-        span = self.high - self.low if self.kind == "float" else self.high + 1 - self.low
-        if self.scale == "log":
-            number = partial(_logarithmic, self.low, math.log((self.low + span) / self.low))
-        else:
-            number = partial(_linear, self.low, span)
-        return partial(_whole, number, int(self.high)) if self.kind == "int" else partial(_capped, number, self.high)
+            return 0.0, 0.0, None, 0.0, False, partial(_choice, self.choices)
+        whole = self.kind == "int"
+        span = self.high + 1 - self.low if whole else self.high - self.low
+        rate = math.log((self.low + span) / self.low) if self.scale == "log" else None
+        return self.low, span, rate, int(self.high) if whole else self.high, whole, None
 
     def encode(self, value: Value) -> float:
         """Gene in [0, 1] that decodes to `value` (clipped into the range)."""
@@ -123,9 +124,18 @@ class ParameterSpace:
         """Values by name, fixed ones included, at `genome` (n,)."""
         if len(genome) != len(self._decoders):
             raise ValueError(f"genome must have {len(self)} genes, got {len(genome)}")
-        values = dict(self._skeleton)
-        for (name, decoder), gene in zip(self._decoders, np.clip(genome, 0.0, 1.0).tolist(), strict=True):
-            values[name] = decoder(gene)
+        genes = genome.tolist()
+        if min(genes, default=0.0) < 0.0 or max(genes, default=1.0) > 1.0:
+            genes = np.clip(genome, 0.0, 1.0).tolist()
+        values = self._skeleton.copy()
+        for (name, low, span, rate, high, whole, other), gene in zip(self._decoders, genes, strict=True):
+            if other is not None:
+                values[name] = other(gene)
+                continue
+            number = low + gene * span if rate is None else low * math.exp(gene * rate)
+            if whole:
+                number = int(number + 1e-9)
+            values[name] = number if number < high else high
         return values
 
     @cached_property
@@ -134,8 +144,8 @@ class ParameterSpace:
         return {parameter.name: self.fixed.get(parameter.name, 0.0) for parameter in self.parameters}
 
     @cached_property
-    def _decoders(self) -> list[tuple[str, Callable[[float], Value]]]:
-        return [(parameter.name, parameter.decoder) for parameter in self.free]
+    def _decoders(self) -> list[Decoder]:
+        return [(parameter.name, *parameter.line) for parameter in self.free]
 
     def encode(self, values: Values) -> Genome:
         """Genome (n,) nearest to `values`; names that are missing take their default."""
@@ -171,19 +181,3 @@ def _flag(gene: float) -> bool:
 
 def _choice(choices: tuple[str, ...], gene: float) -> str:
     return choices[min(int(gene * len(choices)), len(choices) - 1)]
-
-
-def _linear(low: float, span: float, gene: float) -> float:
-    return low + gene * span
-
-
-def _logarithmic(low: float, rate: float, gene: float) -> float:
-    return low * math.exp(gene * rate)
-
-
-def _whole(number: Callable[[float], float], high: int, gene: float) -> int:
-    return min(int(number(gene) + 1e-9), high)
-
-
-def _capped(number: Callable[[float], float], high: float, gene: float) -> float:
-    return min(number(gene), high)

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
+from functools import cached_property
+from typing import TypeAlias
 
 import numpy as np
 from numba import njit
@@ -11,6 +12,8 @@ from numpy.typing import NDArray
 
 Floats = NDArray[np.float32]
 Ints = NDArray[np.int32]
+Row: TypeAlias = NDArray[np.float32]  # (v,) or (k,), contiguous
+Rows: TypeAlias = tuple[tuple[Row, ...], tuple[Row, ...], tuple[Row, ...], tuple[Row, ...], tuple[Row, ...]]
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,6 +45,31 @@ class Plant:
         """Count of leaves."""
         return len(self.leaf_size)
 
+    @cached_property
+    def rows(self) -> Rows:
+        """Position x y z, leaf position, axis, normal x y z, leaf length and width as contiguous rows.
+
+        Nothing is copied where the arrays are structures of arrays, as those of fast generators are.
+        """
+        return (
+            _rows(self.position), _rows(self.leaf_position), _rows(self.leaf_axis), _rows(self.leaf_normal),
+            _rows(self.leaf_size),
+        )  # fmt: skip
+
+
+_SINGLE = np.dtype(np.float32)
+
+
+def _rows(array: Floats) -> tuple[Row, ...]:
+    rows = array.T
+    if rows.dtype != _SINGLE or rows.strides[1] != _SINGLE.itemsize:
+        rows = np.ascontiguousarray(rows, np.float32)
+    return tuple(rows)
+
+
+_NUMBERS = ("position", "leaf_position", "leaf_axis", "leaf_normal", "leaf_size", "radius")
+_NEGATIVE_RADIUS, _BAD_ROOT, _BAD_ORDER = 64, 128, 256  # the bits below are those of _NUMBERS
+
 
 def check_plant(plant: Plant) -> None:
     """Raise ValueError with the first thing that is wrong with `plant`: shapes, finiteness, order of parents."""
@@ -55,24 +83,45 @@ def check_plant(plant: Plant) -> None:
             raise ValueError(f"plant: {name} must have shape {shape}, got {getattr(plant, name).shape}")
     if v < 2:
         raise ValueError(f"plant: needs at least 2 vertices, got {v}")
-    for name in ("position", "radius", "leaf_position", "leaf_axis", "leaf_normal", "leaf_size"):
-        array = getattr(plant, name)
-        rows = array.T if array.ndim == 2 else array[None]
-        quick = sum(float(np.dot(row, row)) for row in rows)  # NaN or infinite if a number is, or if one is huge
-        if not math.isfinite(quick) and not np.isfinite(array).all():
+    wrong = _faults(plant.rows, plant.radius, plant.parent)
+    if wrong == 0:
+        return
+    for bit, name in enumerate(_NUMBERS):
+        if wrong >> bit & 1:
             raise ValueError(f"plant: {name} has NaN or infinite values")
-    if plant.parent[0] != -1 or plant.parent[1:].min() < 0:
+    if wrong & _BAD_ROOT:
         raise ValueError("plant: parent must be -1 for vertex 0 and for no other")
-    if not ascending(plant.parent):
+    if wrong & _BAD_ORDER:
         raise ValueError("plant: parent[i] must be below i")
-    if plant.radius.min() < 0:
-        raise ValueError("plant: radius must not be negative")
+    raise ValueError("plant: radius must not be negative")
 
 
 @njit(cache=True, nogil=True)
-def ascending(parent):
-    """Whether every parent comes before its child."""
-    in_order = True
-    for i in range(len(parent)):
+def _faults(rows, radius, parent):
+    """Bits of what is wrong with the numbers of a plant."""
+    wrong = 0
+    position, leaf_position, leaf_axis, leaf_normal, leaf_size = rows
+    for row in range(3):
+        wrong |= _not_finite(position[row]) | _not_finite(leaf_position[row]) << 1
+        wrong |= _not_finite(leaf_axis[row]) << 2 | _not_finite(leaf_normal[row]) << 3
+    wrong |= (_not_finite(leaf_size[0]) | _not_finite(leaf_size[1])) << 4
+    wrong |= _not_finite(radius) << 5
+    in_order, least, negative = True, 0, False
+    for i in range(1, len(parent)):
         in_order &= parent[i] < i
-    return in_order
+        least = min(least, parent[i])
+        negative |= radius[i] < 0
+    if negative or radius[0] < 0:
+        wrong |= _NEGATIVE_RADIUS
+    if parent[0] != -1 or least < 0:
+        wrong |= _BAD_ROOT
+    return wrong if in_order else wrong | _BAD_ORDER
+
+
+@njit(cache=True, nogil=True, fastmath={"reassoc"})
+def _not_finite(row):
+    """1 when a number is NaN or infinite, else 0: nothing else times 0 is not 0."""
+    zero = np.float32(0.0)
+    for i in range(len(row)):
+        zero += row[i] * np.float32(0.0)
+    return 0 if zero == 0 else 1

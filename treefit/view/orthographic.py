@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import math
+from functools import cache
 from typing import ClassVar
 
 import numpy as np
@@ -11,12 +11,12 @@ from pydantic import ConfigDict, Field
 from pydantic.dataclasses import dataclass
 
 from treefit.plant import Plant
-from treefit.plant.extent import height_and_depth, rows_of
 from treefit.view.frame import BitMask, Frame
-from treefit.view.raster import composite, draw_branches, draw_leaves
+from treefit.view.raster import Scratch, draw
 
 SLABS, FINE_SLABS = 4, 32
 """Slabs of depth: for a search few are enough and stay in the nearest cache; a mask to be looked at has more."""
+_SCRATCH = Scratch()
 
 
 @dataclass(frozen=True, config=ConfigDict(extra="forbid"))
@@ -35,27 +35,26 @@ class OrthographicView:
 
     def __call__(self, plant: Plant, frame: Frame) -> BitMask:
         """Bit rows of `plant` in `frame`; the highest point of the plant is the frame's top."""
-        return self._seen(plant, frame, self.azimuth)
+        return self._seen(plant, frame, 1)[0]
 
     def sides(self, plant: Plant, frame: Frame) -> list[BitMask]:
         """Bit rows of `plant` in `frame` from each of the `azimuths` sides, the front first."""
-        return [self._seen(plant, frame, self.azimuth + 360.0 * i / self.azimuths) for i in range(self.azimuths)]
+        return self._seen(plant, frame, self.azimuths)
 
-    def _seen(self, plant: Plant, frame: Frame, azimuth: float) -> BitMask:
-        xyz, leaf_xyz, axis, normal, size = rows_of(plant)
-        angle = math.radians(azimuth)
-        cos, sin = np.float32(math.cos(angle)), np.float32(math.sin(angle))
-        top, near, far = height_and_depth(xyz, leaf_xyz, axis, normal, size, cos, sin)
+    def _seen(self, plant: Plant, frame: Frame, sides: int) -> list[BitMask]:
+        """Bit rows from `sides` sides; where their count is even, each is drawn together with the one opposite."""
+        xyz, position, axis, normal, size = plant.rows
         slabs = SLABS if frame.height <= 128 else FINE_SLABS
-        shape, window = (slabs, 2, frame.height, frame.words), (slabs, frame.height, frame.words)
-        bits = np.zeros(math.prod(shape) + 1, np.uint64)  # one word more: spans touch the word behind them
-        seen = (cos, sin, np.float32(frame.height / top), near, np.float32(slabs / (far - near + 1e-6)))
-        draw_branches(bits, *window, xyz, plant.radius, plant.parent, plant.level, *seen)
-        draw_leaves(bits, *window, leaf_xyz, axis, normal, size, *seen)
-        branch, foliage = _empty(frame), _empty(frame)
-        composite(bits[:-1].reshape(shape), branch, foliage)
-        return BitMask(branch, foliage)
+        planes = np.empty((sides, 2, frame.height, frame.words), np.uint64)
+        scratch = _SCRATCH.room(slabs * 2 * frame.height * frame.words, plant.n_vertices)
+        wood, foliage = (xyz, plant.radius, plant.parent, plant.level), (position, axis, normal, size)
+        draw(scratch, slabs, _directions(self.azimuth, sides), sides % 2 == 0, wood, foliage, planes)
+        return [BitMask(plane[0], plane[1]) for plane in planes]
 
 
-def _empty(frame: Frame) -> NDArray[np.uint64]:
-    return np.empty((frame.height, frame.words), np.uint64)
+@cache
+def _directions(azimuth: float, sides: int) -> NDArray[np.float32]:
+    """Cosines and sines (m, 2) of the turns of the sides that are drawn: all, or the first half of an even count."""
+    drawn = sides if sides % 2 else sides // 2
+    turns = np.radians(azimuth + np.arange(drawn) * (360.0 / sides))
+    return np.column_stack([np.cos(turns), np.sin(turns)]).astype(np.float32)
