@@ -51,13 +51,14 @@ def _targets(settings: object) -> Iterator[str]:
 
 
 def _check_names(settings: object, place: str) -> None:
-    """Raise UserError for a setting that the target does not take: pydantic would not say which it takes."""
+    """Raise UserError for a setting that its target does not take: pydantic would not say which it takes."""
     if not isinstance(settings, Mapping):
         return
-    taken = _settings_of(str(settings["_target_"]), place)
-    for name in settings:
+    taken = _settings_of(str(settings["_target_"]), place) if "_target_" in settings else ()
+    for name, value in settings.items():
         if not str(name).startswith("_") and taken and name not in taken:
             raise UserError(f"{place}.{name}: no such setting{did_you_mean(str(name), taken)}")
+        _check_names(value, f"{place}.{name}")
 
 
 def _settings_of(target: str, place: str) -> tuple[str, ...]:

@@ -8,7 +8,23 @@ import numpy as np
 from numba import njit
 
 from generators.simplegen.chunk import (
-    CHUNK, DX, DY, DZ, FREE, JOINT, LONG, MADE, PICKED, RADIUS, SPIN, X, Y, Z, advance, load, put_wood,
+    CHUNK,
+    DX,
+    DY,
+    DZ,
+    FREE,
+    JOINT,
+    LONG,
+    MADE,
+    PICKED,
+    RADIUS,
+    SPIN,
+    X,
+    Y,
+    Z,
+    advance,
+    load,
+    put_wood,
 )  # fmt: skip
 from generators.simplegen.directions import INNER, ONCE, aside
 from generators.simplegen.rules import CHILD
@@ -24,7 +40,7 @@ def grow_branches(rule, level, stems, n_stems, wood, n, children, floats, keys):
 
     Return (vertices, children, whether the budget cut it).
     """
-    m = 0
+    m = np.int64(0)  # not a literal: each literal argument would be compiled once more
     for first in range(0, n_stems, CHUNK):
         count = min(CHUNK, n_stems - first)
         load(floats, keys, stems, first, count)

@@ -13,10 +13,10 @@ FAST: dict[str, Any] = {
 }  # fmt: skip
 """Settings of the kernels of SimpleGen."""
 
-INNER: dict[str, Any] = {**FAST, "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
+INNER: dict[str, Any] = {**FAST, "cache": False, "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
 """The same for kernels that only kernels call: half the time to compile."""
 
-ONCE: dict[str, Any] = {**FAST, "inline": "always"}
+ONCE: dict[str, Any] = {**INNER, "inline": "always"}
 """The same for the few long kernels with one caller: code is then made once, not once for each caller above."""
 
 _ZERO, _ONE, _HALF, _TINY = np.float32(0.0), np.float32(1.0), np.float32(0.5), np.float32(1e-12)

@@ -53,7 +53,7 @@ class SimpleGen:
     def __call__(self, values: Values, seed: int, budget: Budget) -> Plant:
         """Plant grown from `values` by name; its size is branch_len_0 metres of trunk."""
         rules = [_level_rule(values, level) for level in range(int(values["levels"]))]
-        leaf_rule, crown = _leaf_rule(values, rules[-1]), Crown(*[values[name] for name in CROWN])
+        leaf_rule, crown = _leaf_rule(values, rules[-1]), _crown(values)
         stems, vertices = 1, 1 + rules[0].bare_joints
         for rule in rules[:-1]:
             vertices += stems * rule.joints
@@ -62,16 +62,16 @@ class SimpleGen:
         room = min(stems * rules[-1].joints * leaf_rule.number, budget.leaves)
         numbers, integers = np.empty((4, vertices), np.float32), np.empty((2, vertices), np.int32)
         leaves = np.empty((11, room), np.float32)
-        told = np.array([*values_of(rules), *crown, *leaf_rule], np.float64)
-        trunk = float(values["branch_len_0"]), float(values["branch_r_0"]), float(values["lean"])
-        n, k, cut = grow(told, len(rules), *trunk, seed_key(seed), _SCRATCH.room(min(stems, vertices)), numbers, integers,
-                         leaves)  # fmt: skip
+        told = np.array([*_numbers_of(rules), *crown, *leaf_rule], np.float64)
+        trunk = [float(values[name]) for name in ("branch_len_0", "branch_r_0", "lean")]
+        scratch = _SCRATCH.room(min(stems, vertices))
+        n, k, cut = grow(told, len(rules), *trunk, seed_key(seed), scratch, numbers, integers, leaves)
         numbers, leaves = numbers.T[:n], leaves.T[:k]
         return Plant(numbers[:, :3], numbers[:, 3], integers[0, :n], integers[1, :n],
                      leaves[:, :3], leaves[:, 3:6], leaves[:, 6:9], leaves[:, 9:], cut=cut)  # fmt: skip
 
 
-def values_of(rules: list[LevelRule]) -> list[float]:
+def _numbers_of(rules: list[LevelRule]) -> list[float]:
     """Numbers of the rules of all levels, one after the other."""
     return [number for rule in rules for number in rule]
 
@@ -88,6 +88,10 @@ def _level_rule(values: Mapping[str, Any], level: int) -> LevelRule:
         variation=values["length_variation"], shortening=0.0 if trunk else values["shortening"],
         shortest=SHORTEST * values["branch_len_0"],
     )  # fmt: skip
+
+
+def _crown(values: Mapping[str, Any]) -> Crown:
+    return Crown(*[values[name] for name in CROWN])
 
 
 def _leaf_rule(values: Mapping[str, Any], twig: LevelRule) -> LeafRule:

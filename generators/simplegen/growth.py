@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import threading
+from typing import Any
 
 import numpy as np
 from numba import njit
@@ -16,6 +17,7 @@ from generators.simplegen.rules import STEM_FIELDS, Crown, LeafRule, LevelRule, 
 from generators.simplegen.trunk import grow_trunk
 from generators.simplegen.twigs import grow_twigs
 
+_fixed: Any = to_fixed_tuple  # an intrinsic: its first argument is the compiler's
 _LEVEL, _CROWN, _LEAF = (len(rule._fields) for rule in (LevelRule, Crown, LeafRule))
 
 
@@ -45,8 +47,8 @@ def grow(told, levels, length, radius, lean, key, scratch, numbers, integers, le
     wood = Wood(numbers, integers)
     front, back = Stems(stems[0], stem_keys[0]), Stems(stems[1], stem_keys[1])
     rest = told[levels * _LEVEL :]
-    crown = Crown(*to_fixed_tuple(rest[:_CROWN], _CROWN))
-    leaf_rule = LeafRule(*to_fixed_tuple(rest[_CROWN : _CROWN + _LEAF], _LEAF))
+    crown = Crown(*_fixed(rest[:_CROWN], _CROWN))
+    leaf_rule = LeafRule(*_fixed(rest[_CROWN : _CROWN + _LEAF], _LEAF))
     n, m, cut = grow_trunk(_rule(told, 0), crown, length, length * radius, lean, key, wood, front)
     for level in range(1, levels - 1):
         if cut:
@@ -60,4 +62,4 @@ def grow(told, levels, length, radius, lean, key, scratch, numbers, integers, le
 
 @njit(**ONCE)
 def _rule(told, level):
-    return LevelRule(*to_fixed_tuple(told[level * _LEVEL : (level + 1) * _LEVEL], _LEVEL))
+    return LevelRule(*_fixed(told[level * _LEVEL : (level + 1) * _LEVEL], _LEVEL))

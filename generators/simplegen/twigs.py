@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import numpy as np
 from numba import njit
 
 from generators.simplegen.chunk import CHUNK, advance, load, put_wood
@@ -15,7 +16,7 @@ def grow_twigs(rule, level, leaf_rule, stems, n_stems, wood, n, leaves, floats, 
 
     Return (vertices, leaves, whether the budget cut it).
     """
-    k = 0
+    k = np.int64(0)  # not a literal: each literal argument would be compiled once more
     for first in range(0, n_stems, CHUNK):
         count = min(CHUNK, n_stems - first)
         load(floats, keys, stems, first, count)

@@ -5,9 +5,9 @@ import pytest
 from scipy.stats import spearmanr
 
 from generators.simplegen import SimpleGen
+from generators.simplegen.parameters import NEUTRAL
 from generators.simplegen.rules import Crown
 from generators.simplegen.trunk import envelope
-from generators.simplegen.parameters import NEUTRAL
 from tests.conftest import blob
 from treefit.fit import aim
 from treefit.plant import Budget, Plant

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numba import njit
@@ -37,9 +38,13 @@ def extent_of(plant: Plant) -> Extent:
 
 
 _HALF, _CHUNK = np.float32(0.5), 512
+_FAST: dict[str, Any] = {
+    "cache": True, "nogil": True, "error_model": "numpy", "fastmath": {"nnan", "nsz", "contract", "arcp", "reassoc"},
+}  # fmt: skip
+_INNER: dict[str, Any] = {**_FAST, "cache": False, "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
 
 
-@njit(cache=True, nogil=True, error_model="numpy", fastmath={"nnan", "nsz", "contract", "arcp", "reassoc"})
+@njit(**_FAST)
 def height_of(z, leaf_z, leaf_axis, leaf_normal, leaf_size):
     """Height of the plant in metres, leaves included."""
     top = np.float32(1e-6)
@@ -58,7 +63,7 @@ def height_of(z, leaf_z, leaf_axis, leaf_normal, leaf_size):
     return top
 
 
-@njit(cache=True, nogil=True, error_model="numpy", fastmath={"nnan", "nsz", "contract", "arcp", "reassoc"}, no_cpython_wrapper=True)
+@njit(**_INNER)
 def _highest(z, length, width):
     """Height that no leaf passes, whatever its direction."""
     top = np.float32(0.0)
@@ -67,7 +72,7 @@ def _highest(z, length, width):
     return top
 
 
-@njit(cache=True, nogil=True, error_model="numpy", fastmath={"nnan", "nsz", "contract", "arcp", "reassoc"})
+@njit(**_FAST)
 def depth_of(x, y, cos, sin):
     """Nearest and farthest vertex when the plant is turned by the angle of `cos` and `sin`, in metres."""
     near, far = np.float32(1e30), np.float32(-1e30)

@@ -15,7 +15,7 @@ _STEP, _FIRST, _SECOND = np.uint32(0x9E3779B9), np.uint32(0x7FEB352D), np.uint32
 _15, _16, _LOW = np.uint32(15), np.uint32(16), np.uint32(0xFFFF)
 _INVERSE_2_24, _INVERSE_2_16 = np.float32(1.0 / (1 << 24)), np.float32(1.0 / (1 << 16))
 _HALF, _ZERO, _ONE, _TWO = np.float32(0.5), np.float32(0.0), np.float32(1.0), np.float32(2.0)
-_SINE = tuple(np.float32(x) for x in (3.14158198, -5.1671413, 2.54188707, -0.55460885))  # of half a turn, 1e-6 at most off
+_SINE = tuple(np.float32(x) for x in (3.14158198, -5.1671413, 2.54188707, -0.55460885))  # of half a turn, to 1e-6
 
 
 def seed_key(seed: int) -> np.uint32:
@@ -23,7 +23,7 @@ def seed_key(seed: int) -> np.uint32:
     return np.uint32((seed ^ (seed >> 32)) & 0xFFFFFFFF)
 
 
-@njit(cache=True, nogil=True)
+@njit(nogil=True)
 def child_key(key: np.uint32, part: int) -> np.uint32:
     """Key of the part number `part` below `key` (the finaliser "lowbias32")."""
     z = np.uint32(np.uint32(key) + np.uint32(_STEP * np.uint32(part + 1)))
@@ -32,19 +32,19 @@ def child_key(key: np.uint32, part: int) -> np.uint32:
     return np.uint32(z ^ (z >> _16))
 
 
-@njit(cache=True, nogil=True)
+@njit(nogil=True)
 def uniform(key: np.uint32, purpose: int) -> np.float32:
     """Draw in [0, 1) for `purpose` at the place named by `key`."""
     return np.float32(np.int32(child_key(key, purpose) >> np.uint32(8))) * _INVERSE_2_24
 
 
-@njit(cache=True, nogil=True)
+@njit(nogil=True)
 def two(key: np.uint32) -> tuple[np.float32, np.float32]:
     """Two draws in [0, 1), 16 bits each: the key itself, for places that need no more than these."""
     return np.float32(np.int32(key & _LOW)) * _INVERSE_2_16, np.float32(np.int32(key >> _16)) * _INVERSE_2_16
 
 
-@njit(cache=True, nogil=True)
+@njit(nogil=True)
 def circle(turn: np.float32) -> tuple[np.float32, np.float32]:
     """Cosine and sine of `turn` whole turns, by a polynomial that vector instructions can run; exactly round."""
     t = turn - np.float32(np.int32(turn + math.copysign(_HALF, turn)))

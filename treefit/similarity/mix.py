@@ -10,8 +10,24 @@ from typing import Any
 from pydantic import ConfigDict, Field
 from pydantic.dataclasses import dataclass
 
+from treefit.similarity.asymmetry import Asymmetry
+from treefit.similarity.class_overlap import ClassOverlap
+from treefit.similarity.paper import PaperSimilarity
 from treefit.similarity.similarity import Similarity
+from treefit.similarity.soft_classes import SoftClasses
+from treefit.similarity.texture import Texture
+from treefit.similarity.trunk import Trunk
 from treefit.view.frame import BitMask
+
+WEIGHTS = {"soft": 0.3, "stripes": 0.15, "classes": 0.25, "texture": 0.2, "trunk": 0.07, "asymmetry": 0.03}
+"""Weights of the default terms: those that gave the best fits (experiments/terms.md)."""
+
+
+def _terms() -> dict[str, Similarity[Any]]:
+    return {
+        "soft": SoftClasses(), "stripes": PaperSimilarity(), "classes": ClassOverlap(), "texture": Texture(),
+        "trunk": Trunk(), "asymmetry": Asymmetry(),
+    }  # fmt: skip
 
 
 @dataclass(frozen=True, config=ConfigDict(extra="forbid", arbitrary_types_allowed=True))
@@ -22,8 +38,8 @@ class Mix:
     under 0 or all 0.
     """
 
-    terms: Mapping[str, Any]
-    weights: Mapping[str, float]
+    terms: Mapping[str, Any] = Field(default_factory=_terms)
+    weights: Mapping[str, float] = Field(default_factory=lambda: dict(WEIGHTS))
     combine: str = Field(default="sum", pattern="^(sum|product)$")
 
     def __post_init__(self) -> None:

@@ -10,22 +10,30 @@ from treefit.similarity.bits import highest_bit, lowest_bit, popcount
 from treefit.view.frame import BitMask
 
 LEFT, RIGHT, AREA, RUNS, STARTS, WOOD, WOOD_LEFT, WOOD_RIGHT, MOMENT = range(9)
-"""Fields: first column and the one behind the last; pixels of the tree; runs of them; pixels under background;
-branch pixels, their first column and the one behind their last; sum of the columns of the tree's pixels."""
+"""Fields: first column and the one behind the last; pixels of the tree; those with background a step to their left;
+those with background a step above; branch pixels, their first column and the one behind their last; sum of the columns
+of the tree's pixels."""
 FIELDS = 9
+STEPS = 128  # steps in a height: gaps are looked for at this distance, so that they do not depend on the resolution
+
+
+def step(height: int) -> int:
+    """Pixels of a step at `height` rows, 1 at least and at most 63."""
+    return min(max(1, round(height / STEPS)), 63)
 
 
 def rows(bits: BitMask) -> NDArray[np.int32]:
     """Fields (FIELDS, height) int32 of every row, from the top down; columns are 0 in an empty row."""
     fields = np.empty((FIELDS, bits.branch.shape[0]), np.int32)
-    scan(bits.branch, bits.foliage, fields)
+    scan(bits.branch, bits.foliage, step(bits.branch.shape[0]), fields)
     return fields
 
 
 @njit(cache=True, nogil=True)
-def scan(branch, foliage, fields):
+def scan(branch, foliage, step, fields):
     """Fill `fields` from bit rows (height, words)."""
     height, words = branch.shape
+    ahead, rest = np.uint64(step), np.uint64(64 - step)
     for row in range(height):
         left = right = wood_left = wood_right = area = runs = starts = wood = moment = 0
         before = np.uint64(0)
@@ -35,7 +43,7 @@ def scan(branch, foliage, fields):
             if s == np.uint64(0):
                 before = s
                 continue
-            above = branch[row - 1, word] | foliage[row - 1, word] if row > 0 else np.uint64(0)
+            above = branch[row - step, word] | foliage[row - step, word] if row >= step else np.uint64(0)
             first = word * 64
             if area == 0:
                 left = first + lowest_bit(s)
@@ -47,7 +55,7 @@ def scan(branch, foliage, fields):
                 wood += popcount(b)
             count = popcount(s)
             area += count
-            runs += popcount(s & ~((s << np.uint64(1)) | (before >> np.uint64(63))))
+            runs += popcount(s & ~((s << ahead) | (before >> rest)))
             starts += popcount(s & ~above)
             moment += first * count + _places(s)
             before = s

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from pydantic import ConfigDict, Field
 from pydantic.dataclasses import dataclass
 
-from treefit.similarity.rows import AREA, LEFT, RIGHT, RUNS, STARTS, rows
+from treefit.similarity.rows import AREA, LEFT, RIGHT, RUNS, STARTS, rows, step
 from treefit.view.frame import BitMask
 
 FILL, ACROSS, DOWN, ROUGH, HULL = range(5)
@@ -20,8 +20,9 @@ class Texture:
     """Mean over `bands`, weighted by the target's row-filled area H, of sums of min/max of four numbers of a band.
 
     `fill`: gaps, 1.05 - A / H with A the area; `across`: runs a row; `down`: vertical runs by the width of the band;
-    `rough`: mean step of the left and right border from row to row, in heights. Each counts with its weight by
-    the sum of the weights. Spikes have the runs of clumps in one direction only, so both are asked for.
+    `rough`: mean step of the left and right border, in heights. Each counts with its weight by the sum of the
+    weights. Spikes have the runs of clumps in one direction only, so both are asked for. Runs and borders are looked
+    at in steps of 1/128 of the height, so that the numbers do not depend on the resolution.
     """
 
     bands: int = Field(default=10, ge=1, le=64)
@@ -33,7 +34,7 @@ class Texture:
     def describe(self, bits: BitMask) -> NDArray[np.float32]:
         """Table (bands, 5): share of gaps, runs a row, vertical runs by width, step of the borders, row-filled area."""
         table = np.empty((self.bands, 5), np.float32)
-        measure(rows(bits), table)
+        measure(rows(bits), step(bits.branch.shape[0]), table)
         return table
 
     def compare(self, target: NDArray[np.float32], plant: NDArray[np.float32]) -> float:
@@ -42,11 +43,11 @@ class Texture:
 
 
 @njit(cache=True, nogil=True)
-def measure(fields, table):
+def measure(fields, step, table):
     """Fill the table of the bands from the fields of the rows."""
     height, bands = fields.shape[1], len(table)
     for band in range(bands):
-        area = hull = runs = starts = step = used = pairs = 0
+        area = hull = runs = starts = moved = used = pairs = 0
         for row in range(band * height // bands, (band + 1) * height // bands):
             width = fields[RIGHT, row] - fields[LEFT, row]
             if width == 0:
@@ -56,19 +57,18 @@ def measure(fields, table):
             hull += width
             runs += fields[RUNS, row]
             starts += fields[STARTS, row]
-            if row > 0 and fields[AREA, row - 1] > 0:
+            if row >= step and fields[AREA, row - step] > 0:
                 pairs += 1
-                step += abs(fields[LEFT, row] - fields[LEFT, row - 1]) + abs(
-                    fields[RIGHT, row] - fields[RIGHT, row - 1]
-                )
+                moved += abs(fields[LEFT, row] - fields[LEFT, row - step])
+                moved += abs(fields[RIGHT, row] - fields[RIGHT, row - step])
         table[band, HULL] = np.float32(hull) / np.float32(height * height)
         if hull == 0:
             table[band, FILL] = table[band, ACROSS] = table[band, DOWN] = table[band, ROUGH] = np.float32(0.0)
             continue
         table[band, FILL] = np.float32(1.05) - np.float32(area) / np.float32(hull)
-        table[band, ACROSS] = np.float32(runs) / np.float32(used)
-        table[band, DOWN] = np.float32(starts * used) / np.float32(hull) + np.float32(0.2)
-        table[band, ROUGH] = FLOOR + np.float32(step) / np.float32(max(2 * pairs, 1) * height)
+        table[band, ACROSS] = np.float32(runs) / np.float32(used * step)
+        table[band, DOWN] = np.float32(starts * used) / np.float32(hull * step) + np.float32(0.2)
+        table[band, ROUGH] = FLOOR + np.float32(moved) / np.float32(max(2 * pairs, 1) * height)
 
 
 @njit(cache=True, nogil=True)

@@ -56,23 +56,29 @@ def _loss(u: float, v: float, slack: float) -> float:
 def measure(fields):
     """Bare height, thickness and lean from the fields of the rows.
 
-    A row is bare when half of its tree pixels are branch; the bare trunk ends, from the ground up, with the first of
-    2 % of the height in rows that are not. Without any, thickness is that of the wood in the lowest 4 %.
+    The bare trunk ends, from the ground up, where the foliage of the next 3 % of the height is over a quarter of its
+    mean over all rows with foliage. Without any, thickness and lean are those of the wood in the lowest 4 %.
     """
     height = fields.shape[1]
-    patience = max(1, height // 50)
-    bare, crown = 0, 0
+    window = max(2, height * 3 // 100)
+    leaves = leafy = 0
+    for row in range(height):
+        green = fields[AREA, row] - fields[WOOD, row]
+        leaves += green
+        leafy += green > 0
+    limit = window * leaves / (4.0 * max(leafy, 1))
+    bare, seen = height if leaves == 0 else 0, 0
     for up in range(height):
         row = height - 1 - up
-        if fields[AREA, row] > 0 and 2 * fields[WOOD, row] < fields[AREA, row]:
-            crown += 1
-            if crown == patience:
-                break
-        elif fields[WOOD, row] > 0:
-            bare, crown = up + 1, 0
+        seen += fields[AREA, row] - fields[WOOD, row]
+        if up >= window:
+            seen -= fields[AREA, row + window] - fields[WOOD, row + window]
+        if leaves > 0 and seen > limit:
+            bare = max(up + 1 - window, 0)
+            break
     wood = used = 0
     n = moment = rise = rises = cross = 0.0
-    for up in range(max(bare, height // 25, 1)):
+    for up in range(min(max(bare, height // 25, 1), height // 2)):
         row = height - 1 - up
         if fields[WOOD, row] == 0:
             continue
@@ -82,7 +88,7 @@ def measure(fields):
         n, moment, rise = n + 1.0, moment + middle, rise + up
         rises, cross = rises + up * up, cross + up * middle
     if used == 0:
-        return 0.0, 0.0, 0.0
+        return bare / height, 0.0, 0.0
     spread = rises - rise * rise / n
     lean = (cross - rise * moment / n) / spread if bare >= height // 25 and spread > 0 else 0.0
     return bare / height, wood / (used * height), lean

@@ -10,9 +10,7 @@ from treefit.view.spans import INNER, ONCE, ellipse, line, quad, strip
 from treefit.view.stamps import ACROSS, AT, BLOCK, CHUNK, INSIDE, KIND, ODD, OUT, SHIFT, TALL
 
 THIN = np.float32(0.75)  # half width in pixels up to which a segment is a line and its joints need no disc
-X0, Y0, R0, X1, Y1, R1, DEPTH, DY, MIDDLE, SLOPE, WIDTH, WIDENING, LEAST, MOST, END = (
-    CHUNK * row for row in range(15)
-)
+X0, Y0, R0, X1, Y1, R1, DEPTH, DY, MIDDLE, SLOPE, WIDTH, WIDENING, LEAST, MOST, END = (CHUNK * row for row in range(15))
 FLOATS = 15 * CHUNK
 _HALF, _ZERO, _ONE, _FAR = (np.float32(x) for x in (0.5, 0.0, 1.0, 1e6))
 _BIT, _31 = np.uint32(1), np.uint32(31)
@@ -58,7 +56,7 @@ def _see(columns, rows, depths, xyz, height, words, cos, sin, scale, near, per_d
 
 @njit(**INNER)
 def _ends(floats, first, count, columns, rows, depths, radius, parent, level, scale):
-    """Ends, radii and depth of the segments from vertex `first` on; a new stem is as thick at its base as at its end."""
+    """Ends, radii and depth of the segments from vertex `first` on; a new stem begins as thick as it ends."""
     for j in range(count):
         i = first + j
         p = np.uint64(parent[i])
@@ -81,9 +79,7 @@ def _locate(floats, ints, count, slabs, height, words):
     for j in range(count):
         x0, x1 = min(max(floats[X0 + j], -_FAR), _FAR), min(max(floats[X1 + j], -_FAR), _FAR)
         y0, y1 = min(max(floats[Y0 + j], -_FAR), _FAR), min(max(floats[Y1 + j], -_FAR), _FAR)
-        upper, under, least, most, middle, slope, half, widening = strip(
-            x0, y0, floats[R0 + j], x1, y1, floats[R1 + j]
-        )
+        upper, under, least, most, middle, slope, half, widening = strip(x0, y0, floats[R0 + j], x1, y1, floats[R1 + j])
         slab = np.int32(min(max(floats[DEPTH + j], _ZERO), deepest))
         top, left, last = np.int32(upper + _HALF), np.int32(least - _HALF), np.int32(most + _HALF)
         tall = np.int32(under + _HALF) - top

@@ -20,7 +20,8 @@ def composite(bits, slabs, branch, foliage, behind):
     """Join the slabs of `bits` (slabs * 2 * height * words) into the visible planes (height, words).
 
     Within a slab nobody knows what is in front: leaves are on one half of the pixels, a chequered one, wood on the
-    other, so that neither class gains from it. With `behind` 1 (else 0) the last slab is the nearest and the rows are mirrored.
+    other, so that neither class gains from it. With `behind` 1, else 0, the last slab is the nearest and rows are
+    mirrored.
     """
     height, words = branch.shape
     plane = height * words

@@ -17,10 +17,10 @@ FAST: dict[str, Any] = {
 }  # fmt: skip
 """Settings of the kernels of this room; numbers that are not finite stay what they are, so that they draw nothing."""
 
-INNER: dict[str, Any] = {**FAST, "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
+INNER: dict[str, Any] = {**FAST, "cache": False, "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
 """The same for kernels that only kernels call: half the time to compile."""
 
-ONCE: dict[str, Any] = {**FAST, "inline": "always"}
+ONCE: dict[str, Any] = {**INNER, "inline": "always"}
 """The same for the few long kernels with one caller: code is then made once, not once for each caller above."""
 
 _ALL = np.uint64(0xFFFFFFFFFFFFFFFF)
@@ -67,10 +67,11 @@ def ellipse(bits, base, height, words, x, y, reach, slope, half, inverse):
 
 @njit(**INNER)
 def strip(x0, y0, r0, x1, y1, r1):
-    """Thin tapered segment as a strip, a function of the row: rows [upper, under], columns [least, most] that it keeps
-    to, and at e rows below y0 its middle `middle + slope * e` and half width `half + widening * e`.
+    """Thin tapered segment as a strip that is told row by row.
 
-    A steep one ends at rows, a flat one at columns. One so level that it tapers faster than it falls has no taper.
+    Rows [upper, under] and columns [least, most] that it keeps to; `e` rows below y0 its middle is at
+    middle + slope * e and its half width half + widening * e. A steep one ends at rows, a flat one at columns; one so
+    level that it tapers faster than it falls has no taper.
     """
     dx, dy = x1 - x0, y1 - y0
     wide, high = abs(dx), abs(dy)

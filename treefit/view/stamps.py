@@ -14,7 +14,7 @@ from treefit.view.spans import INNER
 
 CHUNK = 256  # primitives at once: their numbers stay in the nearest cache
 COLUMNS, ROWS = 24, 12  # of the largest stamp
-BLOCK = 3  # rows put at once: neighbours in a chunk often share words, and a word must be stored before it is read again
+BLOCK = 3  # rows put at once: neighbours in a chunk share words, and a word must be stored before it is read again
 AT, SHIFT, KIND, TALL, CROSSING, ODD = (CHUNK * row for row in range(6))
 """Rows of a chunk's integers: first word, shift, kind, count of rows; places of those that cross, of the odd ones."""
 INTEGERS, MASKS = 6 * CHUNK, BLOCK * CHUNK
