@@ -26,6 +26,7 @@ from generators.simplegen.chunk import (
     load,
     put_wood,
 )  # fmt: skip
+from generators.simplegen.crown import kept
 from generators.simplegen.directions import INNER, ONCE, aside
 from generators.simplegen.rules import CHILD
 from treefit.plant.streams import child_key, circle, two
@@ -35,7 +36,7 @@ _HALF, _ONE, _TWO, _SPREAD = (np.float32(x) for x in (0.5, 1.0, 2.0, 0.6))
 
 
 @njit(**ONCE)
-def grow_branches(rule, level, stems, n_stems, wood, n, children, floats, keys):
+def grow_branches(rule, crown, level, stems, n_stems, wood, n, children, floats, keys):
     """Grow the first `n_stems` of `stems` into `wood` from vertex n on, their children into `children`.
 
     Return (vertices, children, whether the budget cut it).
@@ -50,7 +51,7 @@ def grow_branches(rule, level, stems, n_stems, wood, n, children, floats, keys):
             fitting = min(count, wood.numbers.shape[1] - n)
             put_wood(wood, n, floats, fitting, i, level, count)
             n += fitting
-            _children(rule, floats, keys, count, i)
+            _children(rule, crown, floats, keys, count, i)
             picked = _pick(rule, floats, keys, count)
             if fitting < count or m + picked > len(children.keys):
                 return n, m, True
@@ -60,13 +61,13 @@ def grow_branches(rule, level, stems, n_stems, wood, n, children, floats, keys):
 
 
 @njit(**INNER)
-def _children(rule, floats, keys, count, i):
+def _children(rule, crown, floats, keys, count, i):
     """One child at joint `i` of each stem, the last one straight on."""
     t = rule.start + (1.0 - rule.start) * i / rule.joints
     reach, variation = np.float32(rule.length * (1.0 - rule.shortening * t)), np.float32(rule.variation)
     cosine, sine = np.float32(math.cos(rule.angle)), np.float32(math.sin(rule.angle))
     thin = np.float32(rule.radius if i < rule.joints else 1.0)
-    straight = i == rule.joints
+    straight, bent = i == rule.joints, np.float32(0.5 * rule.child_upwards)
     for s in range(count):
         twig = child_key(keys[JOINT + s], CHILD)
         keys[MADE + s] = twig
@@ -78,7 +79,10 @@ def _children(rule, floats, keys, count, i):
         cx, cy, cz = aside(dx, dy, dz, cosine, sine, p, q, floats[SUM_X + s], floats[SUM_Y + s])
         floats[SUM_X + s] += cx
         floats[SUM_Y + s] += cy
-        floats[CX + s], floats[CY + s], floats[CZ + s] = (dx, dy, dz) if straight else (cx, cy, cz)
+        cx, cy, cz = (dx, dy, dz) if straight else (cx, cy, cz)
+        floats[CX + s], floats[CY + s], floats[CZ + s] = cx, cy, cz
+        x, y, z, long = floats[X + s], floats[Y + s], floats[Z + s], floats[CHILD_LONG + s]
+        floats[CHILD_LONG + s] = long * kept(crown, x, y, z, cx, cy, cz + bent, long)
 
 
 @njit(**INNER)

@@ -8,18 +8,16 @@ from functools import cached_property
 from typing import Any, ClassVar
 
 import numpy as np
+from numpy.typing import NDArray
 
+from generators.simplegen.crown import KNOTS
 from generators.simplegen.growth import Scratch, grow
 from generators.simplegen.parameters import FIXED, LEVELS, NEUTRAL, SPACE
-from generators.simplegen.rules import Crown, LeafRule, LevelRule
+from generators.simplegen.rules import LeafRule, LevelRule
 from treefit.plant import Budget, ParameterSpace, Plant, Value, Values
 from treefit.plant.streams import seed_key
 
 SHORTEST = 0.002  # of the trunk; shorter branches do not grow
-CROWN = (
-    "crown_bottom", "crown_peak", "crown_top", "crown_power_low", "crown_power_high", "branch_angle_change",
-    "asymmetry",
-)  # fmt: skip
 BARE_JOINTS = 6  # of the bare part of the trunk; that of a branch is one segment with its first joint
 TRUNK_WOBBLE = 0.3  # the trunk is that much straighter than its branches
 
@@ -53,7 +51,7 @@ class SimpleGen:
     def __call__(self, values: Values, seed: int, budget: Budget) -> Plant:
         """Plant grown from `values` by name; its size is branch_len_0 metres of trunk."""
         rules = [_level_rule(values, level) for level in range(int(values["levels"]))]
-        leaf_rule, crown = _leaf_rule(values, rules[-1]), _crown(values)
+        leaf_rule = _leaf_rule(values, rules[-1])
         stems, vertices = 1, 1 + rules[0].bare_joints
         for rule in rules[:-1]:
             vertices += stems * rule.joints
@@ -62,10 +60,10 @@ class SimpleGen:
         room = min(stems * rules[-1].joints * leaf_rule.number, budget.leaves)
         numbers, integers = np.empty((4, vertices), np.float32), np.empty((2, vertices), np.int32)
         leaves = np.empty((11, room), np.float32)
-        told = np.array([*_numbers_of(rules), *crown, *leaf_rule], np.float64)
+        told = np.array([*_numbers_of(rules), *leaf_rule], np.float64)
         trunk = [float(values[name]) for name in ("branch_len_0", "branch_r_0", "lean")]
         scratch = _SCRATCH.room(min(stems, vertices))
-        n, k, cut = grow(told, len(rules), *trunk, seed_key(seed), scratch, numbers, integers, leaves)
+        n, k, cut = grow(told, _crown(values), len(rules), *trunk, seed_key(seed), scratch, numbers, integers, leaves)
         numbers, leaves = numbers.T[:n], leaves.T[:k]
         return Plant(numbers[:, :3], numbers[:, 3], integers[0, :n], integers[1, :n],
                      leaves[:, :3], leaves[:, 3:6], leaves[:, 6:9], leaves[:, 9:], cut=cut)  # fmt: skip
@@ -84,14 +82,20 @@ def _level_rule(values: Mapping[str, Any], level: int) -> LevelRule:
         whorl=int(values["whorl"]) if trunk else 1, angle=values[f"branch_angle_{level}"],
         length=values[f"branch_len_{child}"], radius=values[f"branch_r_{child}"], taper=values["taper"],
         upwards=0.0 if trunk else values["droop_1" if level == 1 else "droop_2"],
+        child_upwards=values["droop_1" if trunk else "droop_2"],
         rightwards=values["trunk_bend"] if trunk else 0.0, wobble=values["wobble"] * (TRUNK_WOBBLE if trunk else 1.0),
         variation=values["length_variation"], shortening=0.0 if trunk else values["shortening"],
         shortest=SHORTEST * values["branch_len_0"],
     )  # fmt: skip
 
 
-def _crown(values: Mapping[str, Any]) -> Crown:
-    return Crown(*[values[name] for name in CROWN])
+def _crown(values: Mapping[str, Any]) -> NDArray[np.float32]:
+    trunk = values["branch_len_0"]
+    width = trunk * values["branch_len_1"]
+    bottom = trunk * values["branching_start_0"] * (1.0 - values["crown_hang"])
+    sides = [width * values[f"crown_{side}_{knot}"] for side in ("left", "right") for knot in range(KNOTS)]
+    shape = [values[name] for name in ("crown_keep", "branch_angle_change", "crown_depth")]
+    return np.array([bottom, trunk * (1.0 + values["crown_rise"]), *shape, *sides], np.float32)
 
 
 def _leaf_rule(values: Mapping[str, Any], twig: LevelRule) -> LeafRule:

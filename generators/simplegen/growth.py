@@ -13,12 +13,12 @@ from numpy.typing import NDArray
 from generators.simplegen.branches import grow_branches
 from generators.simplegen.chunk import FLOATS, KEYS
 from generators.simplegen.directions import FAST, ONCE
-from generators.simplegen.rules import STEM_FIELDS, Crown, LeafRule, LevelRule, Stems, Wood
+from generators.simplegen.rules import STEM_FIELDS, LeafRule, LevelRule, Stems, Wood
 from generators.simplegen.trunk import grow_trunk
 from generators.simplegen.twigs import grow_twigs
 
 _fixed: Any = to_fixed_tuple  # an intrinsic: its first argument is the compiler's
-_LEVEL, _CROWN, _LEAF = (len(rule._fields) for rule in (LevelRule, Crown, LeafRule))
+_LEVEL, _LEAF = len(LevelRule._fields), len(LeafRule._fields)
 
 
 class Scratch(threading.local):
@@ -37,23 +37,21 @@ class Scratch(threading.local):
 
 
 @njit(**FAST)
-def grow(told, levels, length, radius, lean, key, scratch, numbers, integers, leaves):
+def grow(told, crown, levels, length, radius, lean, key, scratch, numbers, integers, leaves):
     """Grow a plant; return (vertices, leaves, whether the budget cut it).
 
-    `told` are the numbers of the rules of all levels, of the crown and of the leaves. `numbers` (4, v) takes x, y, z
-    and radius, `integers` (2, v) parent and level, `leaves` (11, k) position, axis, normal, length and width.
+    `told` are the numbers of the rules of all levels and of the leaves, `crown` those of the crown. `numbers` (4, v)
+    takes x, y, z, radius, `integers` (2, v) parent and level, `leaves` (11, k) position, axis, normal, length, width.
     """
     stems, stem_keys, floats, keys = scratch
     wood = Wood(numbers, integers)
     front, back = Stems(stems[0], stem_keys[0]), Stems(stems[1], stem_keys[1])
-    rest = told[levels * _LEVEL :]
-    crown = Crown(*_fixed(rest[:_CROWN], _CROWN))
-    leaf_rule = LeafRule(*_fixed(rest[_CROWN : _CROWN + _LEAF], _LEAF))
+    leaf_rule = LeafRule(*_fixed(told[levels * _LEVEL : levels * _LEVEL + _LEAF], _LEAF))
     n, m, cut = grow_trunk(_rule(told, 0), crown, length, length * radius, lean, key, wood, front)
     for level in range(1, levels - 1):
         if cut:
             return n, 0, True
-        n, m, cut = grow_branches(_rule(told, level), level, front, m, wood, n, back, floats, keys)
+        n, m, cut = grow_branches(_rule(told, level), crown, level, front, m, wood, n, back, floats, keys)
         front, back = back, front
     if cut:
         return n, 0, True

@@ -12,7 +12,7 @@ from generators.simplegen.directions import INNER, ONCE, frame, unit
 from generators.simplegen.rules import LEAF
 from treefit.plant.streams import child_key, circle, two
 
-PLACE, STEP, AXIS, NORMAL, SIZE, TURN = (FREE + CHUNK * row for row in (0, 3, 6, 9, 12, 14))
+STEP, PLACE, AXIS, NORMAL, SIZE, TURN = (FREE + CHUNK * row for row in (0, 3, 6, 9, 12, 14))  # PLACE.. as in a plant
 _HALF, _SMALLEST, _SPREAD = np.float32(0.5), np.float32(0.7), np.float32(0.6)  # sizes are in 0.7 .. 1.3 of the mean
 _10, _11, _22 = np.uint32(10), np.uint32(11), np.uint32(22)
 _LOW_10, _LOW_11 = np.uint32((1 << 10) - 1), np.uint32((1 << 11) - 1)
@@ -94,11 +94,6 @@ def _shape(floats, keys, count, cosine, sine, length, width):
 
 @njit(**INNER)
 def _store(leaves, k, floats, count):
-    for row in range(3):
-        at = CHUNK * row
-        copy(leaves[row, k : k + count], floats[PLACE + at : PLACE + at + count])
-        copy(leaves[3 + row, k : k + count], floats[AXIS + at : AXIS + at + count])
-        copy(leaves[6 + row, k : k + count], floats[NORMAL + at : NORMAL + at + count])
-    for row in range(2):
-        at = SIZE + CHUNK * row
-        copy(leaves[9 + row, k : k + count], floats[at : at + count])
+    for row in range(len(leaves)):
+        at = PLACE + CHUNK * row
+        copy(leaves[row, k : k + count], floats[at : at + count])

@@ -11,18 +11,6 @@ STEM_FIELDS = 9  # position x y z, direction x y z, length, radius, parent verte
 SWAY, CHILD, LEAF = 1, 16, 64  # purposes of a joint's draws, first numbers of its children and of its leaves
 
 
-class Crown(NamedTuple):
-    """Envelope: length of the branches over the height of the crown, by the longest; change of their angle, rad."""
-
-    bottom: float
-    peak: float
-    top: float
-    power_low: float
-    power_high: float
-    angle_change: float
-    asymmetry: float
-
-
 class LevelRule(NamedTuple):
     """How the branches of one level grow and where their children begin; angles in rad, shares in [0, 1].
 
@@ -38,6 +26,7 @@ class LevelRule(NamedTuple):
     radius: float  # of the children, by that of their parent there
     taper: float
     upwards: float  # turn from base to tip
+    child_upwards: float  # that of the children
     rightwards: float  # the same
     wobble: float
     variation: float  # of the children's length

@@ -7,21 +7,20 @@ import math
 import numpy as np
 from numba import njit
 
-from generators.simplegen.directions import FAST, INNER, aside, unit
-from generators.simplegen.rules import CHILD, SWAY, Crown
+from generators.simplegen.crown import DEPTH, KEEP, TURN, reach
+from generators.simplegen.directions import INNER, aside, unit
+from generators.simplegen.rules import CHILD, SWAY
 from treefit.plant.streams import child_key, circle, two
 
-_HALF, _ZERO, _ONE, _TWO, _SPREAD = (np.float32(x) for x in (0.5, 0.0, 1.0, 2.0, 0.6))
+_HALF, _ZERO, _ONE, _TWO, _SPREAD, _TINY = (np.float32(x) for x in (0.5, 0.0, 1.0, 2.0, 0.6, 1e-6))
 
 
-@njit(**FAST)
-def envelope(h: float, crown: Crown) -> float:
-    """Length of a branch at the height h in [0, 1] of the crown, by the longest."""
-    if h < crown.peak:
-        return crown.bottom + (1.0 - crown.bottom) * (h / crown.peak) ** crown.power_low
-    if crown.peak >= 1.0:
-        return 1.0
-    return crown.top + (1.0 - crown.top) * ((1.0 - h) / (1.0 - crown.peak)) ** crown.power_high
+@njit(**INNER)
+def flattened(x, y, z, depth):
+    """Direction with its part along y times `depth`, as far to the side as before."""
+    flat = depth * y
+    stretch = math.sqrt((x * x + y * y + _TINY) / (x * x + flat * flat + _TINY))
+    return unit(x * stretch, flat * stretch, z)
 
 
 @njit(**INNER)
@@ -55,8 +54,7 @@ def grow_trunk(rule, crown, length, base_radius, lean, key, wood, stems):
         n += 1
         if high <= _ZERO:
             continue
-        reach = np.float32(length * rule.length * (1.0 - rule.shortening * t) * envelope(float(high), crown))
-        bend = rule.angle + crown.angle_change * high
+        bend = rule.angle + crown[TURN] * high
         cosine, sine = np.float32(math.cos(bend)), np.float32(math.sin(bend))
         for w in range(whorl if i < count else 1):
             if m >= len(stems.keys):
@@ -67,9 +65,12 @@ def grow_trunk(rule, crown, length, base_radius, lean, key, wood, stems):
             if i < count:
                 p, q = circle(spin + (np.float32(w) + _SPREAD * (spread - _HALF)) / np.float32(whorl))
                 cx, cy, cz = aside(dx, dy, dz, cosine, sine, p, q, sum_x, sum_y)
+                cx, cy, cz = flattened(cx, cy, cz, crown[DEPTH])
                 sum_x, sum_y = sum_x + cx, sum_y + cy
-            long = reach * (_ONE + np.float32(rule.variation) * (_TWO * vary - _ONE))
-            long *= _ONE + np.float32(crown.asymmetry) * cx
+            full = reach(crown, x, y, z, cx, cy, cz + _HALF * np.float32(rule.child_upwards), np.float32(2.0 * length))
+            long = np.float32(length * rule.length)
+            long += crown[KEEP] * (full - long)
+            long *= _ONE + np.float32(rule.variation) * (_TWO * vary - _ONE)
             if long < rule.shortest:
                 continue
             stems.fields[0, m], stems.fields[1, m], stems.fields[2, m] = x, y, z

@@ -48,6 +48,10 @@ def test_view(benchmark: Any, objective: Objective, plant: Plant) -> None:
     benchmark(objective.view, plant, objective.frame)
 
 
+def test_view_of_four_sides(benchmark: Any, objective: Objective, plant: Plant) -> None:
+    benchmark(OrthographicView(azimuths=4).sides, plant, objective.frame)
+
+
 def test_describe(benchmark: Any, objective: Objective, plant: Plant) -> None:
     benchmark(objective.similarity.describe, objective.view(plant, objective.frame))
 

@@ -6,8 +6,6 @@ from scipy.stats import spearmanr
 
 from generators.simplegen import SimpleGen
 from generators.simplegen.parameters import NEUTRAL
-from generators.simplegen.rules import Crown
-from generators.simplegen.trunk import envelope
 from tests.conftest import blob
 from treefit.fit import aim
 from treefit.plant import Budget, Plant
@@ -25,7 +23,7 @@ def grow(**values: float) -> Plant:
 def test_the_paper_has_19_parameters_and_the_additions_about_as_many() -> None:
     paper = SimpleGen(fixed={"branch_r_1": 0.5, "branch_r_2": 0.55, "branch_r_3": 0.5}, additions=False)
     assert len(paper.space) == 19
-    assert 30 <= len(GENERATOR.space) <= 38
+    assert 38 <= len(GENERATOR.space) <= 46
     assert set(NEUTRAL) <= {parameter.name for parameter in GENERATOR.space.parameters}
 
 
@@ -44,14 +42,38 @@ def test_the_bare_part_of_the_trunk_has_no_branches() -> None:
     assert attached[:, 2].min() >= 0.55 * plant.position[plant.level == 0][:, 2].max()
 
 
-def test_branches_are_as_long_as_the_envelope_says() -> None:
-    crown = Crown(0.5, 0.4, 0.1, 1.0, 1.0, 0.0, 0.0)
-    assert [envelope(h, crown) for h in (0.0, 0.2, 0.4, 0.7, 1.0)] == pytest.approx([0.5, 0.75, 1.0, 0.55, 0.1])
+CROWN = {"branching_start_0": 0.3, "crown_hang": 0.0, "crown_rise": 0.0, "crown_keep": 1.0, "wobble": 0.0,
+         "length_variation": 0.0, "branch_len_1": 0.4, "leaves_count": 0.0}  # fmt: skip
+
+
+def knots(left: float, right: float) -> dict[str, float]:
+    return {f"crown_{side}_{knot}": width for side, width in (("left", left), ("right", right)) for knot in range(5)}
+
+
+def test_branches_keep_to_the_crown() -> None:
+    plant = grow(**CROWN, **knots(0.5, 1.0))
+    trunk = plant.position[plant.level == 0][:, 2].max()
+    x, y, _ = plant.position[plant.level > 0].T
+    width = 0.4 * trunk * (0.75 + 0.25 * x / (np.hypot(x, y) + 1e-6))  # an ellipse between both sides
+    assert np.quantile(np.hypot(x, y) / width, 0.98) < 1.1
+    assert (np.hypot(x, y) / width).max() > 0.85
+
+
+def test_each_side_of_the_crown_has_its_width() -> None:
+    left, right = (grow(**CROWN, **sides).position[:, 0] for sides in (knots(1.0, 0.3), knots(0.3, 1.0)))
+    assert -left.min() > 2 * left.max()
+    assert right.max() > -2 * right.min()
+
+
+def test_a_flat_crown_is_less_deep() -> None:
+    deep, flat = (grow(crown_depth=depth).position for depth in (1.0, 0.4))
+    assert np.abs(flat[:, 1]).mean() < 0.8 * np.abs(deep[:, 1]).mean()
+    assert np.abs(flat[:, 0]).mean() > 0.95 * np.abs(deep[:, 0]).mean()
 
 
 @pytest.mark.parametrize(("count", "start", "whorl"), [(5, 0.0, 1), (10, 0.35, 3), (7, 0.9, 2)])
 def test_children_are_counted_as_they_grow(count: int, start: float, whorl: int) -> None:
-    plant = grow(branch_count_0=count, branching_start_0=start, whorl=whorl, length_variation=0.0, crown_top=1.0)
+    plant = grow(branch_count_0=count, branching_start_0=start, whorl=whorl, length_variation=0.0, crown_keep=0.0)
     stems = ((plant.level[1:] == 1) & (plant.level[plant.parent[1:]] == 0)).sum()
     assert stems == (count - 1) * whorl + 1
 
@@ -62,7 +84,7 @@ def test_radius_never_grows_towards_the_tip() -> None:
 
 
 def test_no_leaves_at_all_is_a_winter_tree() -> None:
-    plant = grow(leaves_count=0.0)
+    plant = grow(leaf_number=0)
     assert plant.n_leaves == 0
     assert plant.n_vertices == grow().n_vertices
 

@@ -25,7 +25,7 @@ from treefit.view import BitMask, Frame, OrthographicView, sample
 
 TERMS = (SoftClasses(), ClassOverlap(), Texture(), Trunk(), Asymmetry())
 WHOLE = (PaperSimilarity(), Mix(), Mix(combine="product"))
-EVERY = pytest.mark.parametrize("similarity", (*WHOLE, *TERMS), ids=repr)
+EVERY = pytest.mark.parametrize("similarity", [*WHOLE, *TERMS], ids=repr)
 
 
 def compare(similarity: Similarity[Any], one: Mask, two: Mask) -> float:
@@ -37,7 +37,7 @@ def seen(mask: Mask, height: int = 128) -> Mask:
 
 
 @EVERY
-@pytest.mark.parametrize("height", (64, 100, 128, 256))
+@pytest.mark.parametrize("height", [64, 100, 128, 256])
 def test_a_mask_is_exactly_like_itself(similarity: Similarity[Any], height: int, plants: list[Plant]) -> None:
     for plant in plants:
         mask = OrthographicView()(plant, Frame(height, 5)).unpack()
@@ -82,7 +82,7 @@ STEPS = {
 
 
 @pytest.mark.parametrize("similarity", WHOLE, ids=repr)
-@pytest.mark.parametrize("change", ("widened", "narrowed", "raised", "thinned", "thickened"))
+@pytest.mark.parametrize("change", ["widened", "narrowed", "raised", "thinned", "thickened"])
 def test_similarity_falls_with_every_step_away(similarity: Similarity[Any], change: str) -> None:
     masks = [seen(tree(**traits)) for traits in STEPS[change]]
     values = [compare(similarity, masks[0], mask) for mask in masks]

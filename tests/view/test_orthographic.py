@@ -1,5 +1,7 @@
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -21,6 +23,34 @@ def test_half_a_turn_mirrors_the_silhouette(plants: list[Plant]) -> None:
         front = OrthographicView()(plant, FRAME).unpack() > 0
         back = OrthographicView(azimuth=180.0)(plant, FRAME).unpack() > 0
         assert (front != back[:, ::-1]).sum() <= 0.01 * front.sum() + 4
+
+
+def test_every_side_is_that_of_a_view_turned_there(plants: list[Plant]) -> None:
+    """Opposite sides are drawn together: centres on an edge may fall to the other side."""
+    for count in (1, 2, 3, 4):
+        sides = OrthographicView(azimuth=20.0, azimuths=count).sides(plants[0], FRAME)
+        assert len(sides) == count
+        for i, side in enumerate(sides):
+            alone = OrthographicView(azimuth=20.0 + 360.0 * i / count)(plants[0], FRAME).unpack()
+            assert ((side.unpack() > 0) != (alone > 0)).sum() <= 0.005 * (alone > 0).sum() + 4
+            assert (side.unpack() != alone).sum() <= 0.03 * (alone > 0).sum() + 4
+
+
+def test_masks_stay_when_other_plants_are_drawn(plants: list[Plant]) -> None:
+    view = OrthographicView()
+    first = view(plants[0], FRAME)
+    kept = first.unpack()
+    for plant in plants[1:]:
+        view(plant, FRAME)
+    assert (first.unpack() == kept).all()
+    assert (view(plants[0], FRAME).unpack() == kept).all()
+
+
+def test_numbers_far_out_of_the_frame_draw_nothing_and_do_no_harm(plants: list[Plant]) -> None:
+    plant = plants[0]
+    far = replace(plant, leaf_position=plant.leaf_position.copy())
+    far.leaf_position[::2, :2] = 1e30
+    assert OrthographicView()(far, FRAME).unpack().any()
 
 
 def test_the_plant_fills_the_height_and_stands_in_the_middle(plants: list[Plant]) -> None:

@@ -63,5 +63,5 @@ class Mix:
         """Joined similarity in [0, 1], exactly 1 for the same mask."""
         found = [(term.compare(a, b), share) for (term, share), a, b in zip(self.used, target, plant, strict=True)]
         if self.combine == "product":
-            return math.prod(similarity**share for similarity, share in found)
-        return max(1.0 - sum((1.0 - similarity) * share for similarity, share in found), 0.0)
+            return float(math.prod(similarity**share for similarity, share in found))
+        return float(max(1.0 - sum((1.0 - similarity) * share for similarity, share in found), 0.0))

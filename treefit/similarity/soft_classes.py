@@ -133,6 +133,6 @@ def _shared(one, two):
         for column in range(len(a)):
             row_low += np.uint32(min(a[column], b[column]))
             row_high += np.uint32(max(a[column], b[column]))
-        low += row_low
-        high += row_high
+        low += int(row_low)
+        high += int(row_high)
     return low, high

@@ -14,10 +14,11 @@ from numba import njit
 
 FAST: dict[str, Any] = {
     "cache": True, "nogil": True, "error_model": "numpy", "fastmath": {"contract", "nsz", "arcp"},
+    "no_cfunc_wrapper": True,
 }  # fmt: skip
 """Settings of the kernels of this room; numbers that are not finite stay what they are, so that they draw nothing."""
 
-INNER: dict[str, Any] = {**FAST, "cache": False, "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
+INNER: dict[str, Any] = {**FAST, "cache": False, "no_cpython_wrapper": True}
 """The same for kernels that only kernels call: half the time to compile."""
 
 ONCE: dict[str, Any] = {**INNER, "inline": "always"}

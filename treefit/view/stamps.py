@@ -10,7 +10,7 @@ from __future__ import annotations
 import numpy as np
 from numba import njit
 
-from treefit.view.spans import INNER
+from treefit.view.spans import INNER, ONCE
 
 CHUNK = 256  # primitives at once: their numbers stay in the nearest cache
 COLUMNS, ROWS = 24, 12  # of the largest stamp
@@ -70,6 +70,6 @@ def stamp(bits, ints, masks, count, crossing, row, rows, words):
             bits[np.uint64(at + k * words)] |= (np.uint64(masks[CHUNK * k + j]) >> _ONE) >> shift
 
 
-@njit(**INNER)
+@njit(**ONCE)
 def _put(bits, ints, masks, j, row, start):
     bits[np.uint64(ints[AT + j] + start)] |= np.uint64(masks[CHUNK * row + j]) << np.uint64(ints[SHIFT + j])
