@@ -22,7 +22,7 @@ from treefit.plant import Budget, Generator
 from treefit.plant.characteristics import Characteristics
 from treefit.progress import Failure, Generation, Progress
 from treefit.search import Optimizer, Strategy, TreeGA
-from treefit.similarity import PaperSimilarity, Similarity
+from treefit.similarity import Mix, Similarity
 from treefit.view import BitMask, OrthographicView, frame_for, sample
 
 PATIENCE = 3
@@ -94,7 +94,7 @@ def fit(
         mask = check_mask(picture)
     else:
         mask = (extractor or AutoMask())(read_picture(picture)).mask
-    objective = aim(mask, generator, similarity or PaperSimilarity(), characteristics or Characteristics(),
+    objective = aim(mask, generator, similarity or Mix(), characteristics or Characteristics(),
                     view or OrthographicView(), seed, budget)  # fmt: skip
     strategy = optimizer or TreeGA()
     search = strategy.start(len(objective.space), seed)

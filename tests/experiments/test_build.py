@@ -9,6 +9,7 @@ from pydantic.dataclasses import dataclass as checked
 from experiments import build as module
 from experiments.build import build
 from experiments.errors import UserError
+from treefit.similarity import Mix
 
 
 @checked(frozen=True, config=ConfigDict(extra="forbid"))
@@ -89,3 +90,21 @@ def test_target_that_is_missing_is_one_line() -> None:
 def test_what_is_no_group_is_an_error() -> None:
     with pytest.raises(UserError, match=r"view: needs a group with a _target_"):
         build(OmegaConf.create({"a": 1}), "view")
+
+
+def test_the_default_similarity_of_the_library_is_that_of_the_configuration() -> None:
+    assert build(OmegaConf.load("conf/similarity/treefit.yaml"), "similarity") == Mix()
+
+
+def test_a_misspelt_setting_of_a_term_is_told_with_its_place() -> None:
+    settings = OmegaConf.load("conf/similarity/treefit.yaml")
+    settings.terms.texture.band = 4
+    with pytest.raises(UserError, match=r"similarity\.terms\.texture\.band: no such setting; did you mean 'bands'"):
+        build(settings, "similarity")
+
+
+def test_terms_and_weights_have_the_same_names() -> None:
+    settings = OmegaConf.load("conf/similarity/treefit.yaml")
+    settings.weights.colour = 0.1
+    with pytest.raises(UserError, match="similarity: terms and weights must have the same names, colour is in one"):
+        build(settings, "similarity")

@@ -5,11 +5,12 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from treefit.search import Optimizer, RandomSearch, Strategy, TreeGA
+from treefit.search import CMAES, Optimizer, RandomSearch, Strategy, TreeGA
 
 STRATEGIES: dict[str, Strategy] = {
     "tree_ga": TreeGA(evaluations=1500, population=20, start_population=30, generations=10),
     "uniform": TreeGA(evaluations=1500, population=20, start_population=30, generations=10, crossover="uniform"),
+    "cma_es": CMAES(evaluations=1500, start_share=0.3, generations=80, min_population=8),
     "random": RandomSearch(evaluations=1500, batch=70),
 }
 

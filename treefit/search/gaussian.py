@@ -1,6 +1,8 @@
-"""The normal distribution that CMA-ES adapts, and its two moves: draw steps, learn from them.
+"""The normal distribution of CMA-ES and its two moves: draw steps, learn from them.
 
-Formulas and names of constants are those of N. Hansen, "The CMA Evolution Strategy: A Tutorial" (arXiv:1604.00772).
+Its covariance is D C D: the scales D of the coordinates learn fast, what they have to do with each other, C, slowly
+(Akimoto & Hansen, "Diagonal acceleration for covariance matrix adaptation evolution strategies", 2019, and Hansen's
+tutorial, arXiv:1604.00772, for the rest). A plain CMA-ES learns both as slowly as C.
 """
 
 from __future__ import annotations
@@ -12,98 +14,134 @@ from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
 
+TURN_EVERY = 5
+"""Generations between two decompositions of C, which changes by under a hundredth in one."""
+
 
 @dataclass(frozen=True, eq=False)
 class Gaussian:
-    """N(mean, sigma^2 C); `axes` (n, n), in columns, and `lengths` (n,) are of a C some generations old."""
+    """N(mean, sigma^2 D C D) for n coordinates, with the paths that its mean has gone lately."""
 
     mean: Floats  # (n,)
     sigma: float
+    scale: Floats  # diagonal of D (n,)
     covariance: Floats  # C (n, n)
-    axes: Floats
-    lengths: Floats
+    axes: Floats  # (n, n), in columns, of C some generations ago
+    lengths: Floats  # (n,) of the axes
     sigma_path: Floats  # (n,)
+    scale_path: Floats  # (n,)
     covariance_path: Floats  # (n,)
     generation: int
 
     @property
     def spread(self) -> Floats:
         """Standard deviation (n,) of every coordinate."""
-        return self.sigma * np.sqrt(np.diag(self.covariance))
+        return self.sigma * self.scale * np.sqrt(np.diag(self.covariance))
+
+    def steps(self, normals: Floats) -> Floats:
+        """Standard normal draws (m, n) as draws of N(0, C)."""
+        drawn: Floats = (normals @ self.axes * self.lengths) @ self.axes.T
+        return drawn
+
+    def place(self, steps: Floats) -> Floats:
+        """Where steps (m, n) of N(0, C) lead."""
+        return self.mean + self.sigma * self.scale * steps
+
+
+@dataclass(frozen=True, eq=False)
+class Rate:
+    """Weights (m,) by rank, best first, and how fast a matrix learns: from its path, from the steps, and the path."""
+
+    weights: Floats
+    one: float
+    many: float
+    path: float
 
 
 @dataclass(frozen=True, eq=False)
 class Rates:
-    """Weights (m,) by rank, best first, and the rates of learning (table 1)."""
+    """Everything that follows from the counts of coordinates and of draws."""
 
-    weights: Floats
-    effective: float  # mu_eff
-    sigma_path: float  # c_sigma
-    damping: float  # d_sigma
-    covariance_path: float  # c_c
-    rank_one: float  # c_1
-    rank_mu: float  # c_mu
+    good: Floats  # weights (m,) of the better half, which sum up to 1
+    effective: float  # how many draws they stand for
+    sigma_path: float
+    damping: float
+    scale: Rate
+    covariance: Rate
 
 
 def around(mean: Floats, sigma: float) -> Gaussian:
     """Round distribution that has learnt nothing yet."""
-    n = len(mean)
-    return Gaussian(mean, sigma, np.eye(n), np.eye(n), np.ones(n), np.zeros(n), np.zeros(n), 0)
+    n, zero = len(mean), np.zeros(len(mean))
+    return Gaussian(mean, sigma, np.ones(n), np.eye(n), np.eye(n), np.ones(n), zero, zero, zero, 0)
 
 
 def rates(n: int, population: int) -> Rates:
-    """Those of the tutorial, with negative weights for the worse half (eq. 49 to 58)."""
+    """Rates of both papers for `n` coordinates; the worse half has negative weights."""
     raw = np.log((population + 1) / 2) - np.log(np.arange(1, population + 1))
     good, bad = np.maximum(raw, 0), np.maximum(-raw, 0)
     mu, mu_bad = (float(w.sum() ** 2 / (w**2).sum()) for w in (good, bad))
-    one = 2 / ((n + 1.3) ** 2 + mu)
-    many = min(1 - one, 2 * (0.25 + mu + 1 / mu - 2) / ((n + 2) ** 2 + mu))
-    negative = min(1 + one / many, 1 + 2 * mu_bad / (mu + 2), (1 - one - many) / (n * many))
+    good, bad = good / good.sum(), bad / bad.sum()
+
+    def rate(freedom: float, room: float) -> Rate:
+        most = mu + 1 / mu - 2 + population / (2 * population + 10)
+        one = 1 / (2 * (freedom / n + 1) * (n + 1) ** 0.75 + mu / 2)
+        many = min(most * one, 0.9 - one)
+        away = min(1 + one / many, 1 + 2 * mu_bad / (mu + 2), (1 - one - many) / (n * many) if room else np.inf)
+        return Rate(good - away * bad, one, many, float(np.sqrt(most * one)) / 2)
+
     path = (mu + 2) / (n + mu + 5)
-    return Rates(
-        weights=good / good.sum() - negative * bad / bad.sum(),
-        effective=mu,
-        sigma_path=path,
-        damping=1 + 2 * max(0.0, float(np.sqrt((mu - 1) / (n + 1))) - 1) + path,
-        covariance_path=(4 + mu / n) / (n + 4 + 2 * mu / n),
-        rank_one=one,
-        rank_mu=many,
-    )
+    damping = 1 + 2 * max(0.0, float(np.sqrt((mu - 1) / (n + 1))) - 1) + path
+    return Rates(good, mu, path, damping, rate(n, 0), rate(n * (n + 1) / 2, 1))
 
 
-def learn(gaussian: Gaussian, rate: Rates, normals: Floats) -> Gaussian:
+def learn(gaussian: Gaussian, rates: Rates, normals: Floats) -> Gaussian:
     """Distribution after one generation, from its standard normal draws (m, n), best first."""
-    n, g = len(gaussian.mean), gaussian.generation + 1
-    steps = directions(gaussian, normals)
-    good = np.maximum(rate.weights, 0)
-    step, turned = good @ steps, gaussian.axes @ (good @ normals)
-    keep, expected = 1 - rate.sigma_path, np.sqrt(n) * (1 - 1 / (4 * n) + 1 / (21 * n * n))
-    sigma_path = keep * gaussian.sigma_path + np.sqrt((1 - keep**2) * rate.effective) * turned
-    length = float(np.linalg.norm(sigma_path)) / expected
-    short = length / np.sqrt(1 - keep ** (2 * g)) < 1.4 + 2 / (n + 1)  # else the path would blow up C
-    fade = rate.covariance_path * (2 - rate.covariance_path)
-    path = (1 - rate.covariance_path) * gaussian.covariance_path + short * np.sqrt(fade * rate.effective) * step
-    longs = np.maximum((normals**2).sum(axis=1), 1e-9)
-    weights = np.where(rate.weights < 0, rate.weights * n / longs, rate.weights)  # C stays positive definite
-    old = 1 - rate.rank_one - rate.rank_mu * rate.weights.sum() + rate.rank_one * (not short) * fade
-    covariance = (
-        old * gaussian.covariance + rate.rank_one * np.outer(path, path) + rate.rank_mu * (steps.T * weights) @ steps
+    g, n, generation = gaussian, len(gaussian.mean), gaussian.generation + 1
+    steps, keep = g.steps(normals), 1 - rates.sigma_path
+    step = rates.good @ steps
+    sigma_path = keep * g.sigma_path + np.sqrt((1 - keep**2) * rates.effective) * (rates.good @ normals)
+    length = float(np.linalg.norm(sigma_path)) / (np.sqrt(n) * (1 - 1 / (4 * n) + 1 / (21 * n * n)))
+    calm = length / np.sqrt(1 - keep ** (2 * generation)) < 1.4 + 2 / (n + 1)  # a leap must not blow up C and D
+    moved = calm * np.sqrt(rates.effective) * g.scale * step
+    scale_path, covariance_path = (
+        (1 - rate.path) * path + np.sqrt(rate.path * (2 - rate.path)) * moved
+        for path, rate in ((g.scale_path, rates.scale), (g.covariance_path, rates.covariance))
     )
-    sigma = gaussian.sigma * float(np.exp(min(1.0, rate.sigma_path / rate.damping * (length - 1))))
-    learnt = Gaussian(gaussian.mean + gaussian.sigma * step, sigma, covariance, gaussian.axes, gaussian.lengths,
-                      sigma_path, path, g)  # fmt: skip
-    every = max(1, int(1 / (10 * n * (rate.rank_one + rate.rank_mu))))
-    return _turned(learnt) if g % every == 0 else learnt
+    far = n / np.maximum((normals**2).sum(axis=1), 1e-9)
+    learnt = replace(
+        g,
+        mean=g.place(step),
+        sigma=g.sigma * float(np.exp(min(1.0, rates.sigma_path / rates.damping * (length - 1)))),
+        scale=g.scale * np.exp(_growth(g, rates.scale, normals, far, scale_path)),
+        covariance=_covariance(g, rates.covariance, steps, far, covariance_path),
+        sigma_path=sigma_path, scale_path=scale_path, covariance_path=covariance_path, generation=generation,
+    )  # fmt: skip
+    return _turned(learnt) if generation % TURN_EVERY == 0 else learnt
 
 
-def directions(gaussian: Gaussian, normals: Floats) -> Floats:
-    """Standard normal draws (m, n) as steps in units of sigma."""
-    steps: Floats = (normals * gaussian.lengths) @ gaussian.axes.T
-    return steps
+def _growth(g: Gaussian, rate: Rate, normals: Floats, far: Floats, path: Floats) -> Floats:
+    """Logarithm (n,) of what D is multiplied with; less the longer C is in one direction, for then C knows better."""
+    weights = np.where(rate.weights < 0, rate.weights * far, rate.weights)
+    straight = g.axes @ (g.axes.T @ (path / g.scale) / g.lengths)
+    slow = max(1.0, float(g.lengths.max() / g.lengths.min()) - 1)
+    growth: Floats = (rate.one * (straight**2 - 1) + rate.many * (weights @ (normals**2 - 1))) / (2 * slow)
+    return growth
 
 
-def _turned(gaussian: Gaussian) -> Gaussian:
-    """With axes and lengths of the covariance as it is now."""
-    covariance = (gaussian.covariance + gaussian.covariance.T) / 2
-    squares, axes = np.linalg.eigh(covariance)
-    return replace(gaussian, covariance=covariance, axes=axes, lengths=np.sqrt(np.maximum(squares, 1e-14)))
+def _covariance(g: Gaussian, rate: Rate, steps: Floats, far: Floats, path: Floats) -> Floats:
+    """C from the old one, the path and the steps; the far ones of the worse half are shortened to keep it positive."""
+    weights = np.where(rate.weights < 0, rate.weights * far, rate.weights)
+    bent, old = path / g.scale, 1 - rate.one - rate.many * weights.sum()
+    new: Floats = old * g.covariance + rate.one * np.outer(bent, bent) + rate.many * (steps.T * weights) @ steps
+    return new
+
+
+def _turned(g: Gaussian) -> Gaussian:
+    """The same distribution with ones on the diagonal of C and up-to-date axes."""
+    deviation = np.sqrt(np.diag(g.covariance))
+    covariance = g.covariance / np.outer(deviation, deviation)
+    squares, axes = np.linalg.eigh((covariance + covariance.T) / 2)
+    lengths = np.sqrt(np.maximum(squares, 1e-12))
+    axes = np.ascontiguousarray(axes)  # as it comes out of a checkpoint: the order of sums is the same then
+    return replace(g, scale=g.scale * deviation, covariance=covariance, axes=axes, lengths=lengths)

@@ -13,20 +13,20 @@ from pydantic.dataclasses import dataclass as checked
 from treefit.view.frame import BitMask
 
 SCALES = 3
-"""Windows of an eighth, a 16th and a 32nd of the height, where the resolution is a power of two."""
-
-
+"""Windows of a 32nd, a 16th and an eighth of the height, where the resolution is a power of two."""
 _FIELDS = np.array(
     [0x5555555555555555, 0x3333333333333333, 0x0F0F0F0F0F0F0F0F, 0x00FF00FF00FF00FF, 0x0000FFFF0000FFFF], np.uint64
 )  # every other field of a word, by which neighbours are added to fields twice as wide
+_PAIRS, _FOURS = np.uint64(0x5555555555555555), np.uint64(0x3333333333333333)
+_1, _2, _15 = np.uint64(1), np.uint64(2), np.uint64(15)
 
 
 @dataclass(frozen=True, eq=False)
 class Windows:
-    """Pixels a window at half-window steps, smallest windows first; `foliage` and `branch` (r, c) uint16 a scale."""
+    """Pixels of foliage and of branch in windows at half-window steps (2, n) uint16, scale after scale."""
 
-    foliage: tuple[NDArray[np.uint16], ...]
-    branch: tuple[NDArray[np.uint16], ...]
+    counts: NDArray[np.uint16]
+    ends: tuple[int, ...]  # (SCALES,), behind the last window of each scale
     has_branch: bool
 
 
@@ -42,14 +42,21 @@ class SoftClasses:
 
     def describe(self, bits: BitMask) -> Windows:
         """Counts of both classes in the windows of every scale."""
-        cell = smallest_cell(bits.branch.shape[0])
-        foliage, branch = windows(bits.foliage, cell), windows(bits.branch, cell)
-        return Windows(foliage, branch, bool(branch[-1].any()))
+        height, words = bits.branch.shape
+        cell = smallest_cell(height)
+        rows, columns = -(-height // cell), words * 64 // cell
+        ends, n = [], 0
+        for scale in range(SCALES):
+            n += (-(-rows >> scale) - 1) * ((columns >> scale) - 1)
+            ends.append(n)
+        counts, cells = np.empty((2, n), np.uint16), np.empty(2 * (rows + 1) * columns, np.uint16)
+        has_branch = count_windows(bits.foliage, bits.branch, cell, counts, cells)
+        return Windows(counts, tuple(ends), has_branch)
 
     def compare(self, target: Windows, plant: Windows) -> float:
         """Agreement in [0, 1], 1 for the same counts."""
         weight = self.branch_weight if target.has_branch else 1.0
-        return float(agreement(target.foliage, target.branch, plant.foliage, plant.branch, weight))
+        return float(agreement(target.counts, plant.counts, target.ends, weight))
 
 
 def smallest_cell(height: int) -> int:
@@ -60,32 +67,55 @@ def smallest_cell(height: int) -> int:
     return cell
 
 
-def windows(bits: NDArray[np.uint64], cell: int) -> tuple[NDArray[np.uint16], ...]:
-    """Counts of set bits in windows of 2, 4 and 8 cells, at half-window steps, from bit rows (height, words)."""
-    height, words = bits.shape
-    cells = np.zeros((-(-height // cell), words * 64 // cell), np.uint16)
-    count_cells(bits, cell, cells)
-    found = []
-    for _ in range(SCALES):
-        window = np.empty((cells.shape[0] - 1, cells.shape[1] - 1), np.uint16)
-        coarser = np.empty(((cells.shape[0] + 1) // 2, cells.shape[1] // 2), np.uint16)
-        join_cells(cells, window, coarser)
-        found.append(window)
-        cells = coarser
-    return tuple(found)
-
-
 @njit(cache=True, nogil=True)
-def count_cells(bits, cell, cells):
-    """Add up the set bits of squares of `cell` pixels (a power of two up to 32) into `cells`."""
+def count_windows(foliage, branch, cell, counts, memory):
+    """Fill `counts`; `memory` holds the cells. Return whether there is any branch."""
+    any_branch = False
+    for label in range(2):
+        bits = foliage if label == 0 else branch
+        rows, columns, n = (bits.shape[0] + cell - 1) // cell, bits.shape[1] * 64 // cell, 0
+        cells = memory[: rows * columns].reshape(rows, columns)
+        filled = _count_pairs(bits, cells) if cell == 2 and bits.shape[0] % 2 == 0 else _count_cells(bits, cell, cells)
+        any_branch |= label == 1 and filled
+        for _ in range(SCALES):
+            _join_windows(cells, counts[label, n : n + (rows - 1) * (columns - 1)])
+            n += (rows - 1) * (columns - 1)
+            rows, columns = (rows + 1) // 2, columns // 2
+            coarser = memory[len(memory) - rows * columns :].reshape(rows, columns)
+            _join_cells(cells, coarser)
+            cells = memory[: rows * columns].reshape(rows, columns)
+            cells[:] = coarser
+    return any_branch
+
+
+@njit
+def _count_pairs(bits, cells):
+    """Count the set bits of squares of 2 pixels, two rows at once; return whether there are any."""
+    joined = np.uint64(0)
+    for row in range(cells.shape[0]):
+        upper, lower, sums = bits[2 * row], bits[2 * row + 1], cells[row]
+        for word in range(len(upper)):
+            a, b, at = upper[word], lower[word], word * 32
+            joined |= a | b
+            a, b = (a & _PAIRS) + ((a >> _1) & _PAIRS), (b & _PAIRS) + ((b >> _1) & _PAIRS)
+            even, odd = (a & _FOURS) + (b & _FOURS), ((a >> _2) & _FOURS) + ((b >> _2) & _FOURS)
+            for k in range(16):
+                sums[at + 2 * k] = (even >> np.uint64(4 * k)) & _15
+                sums[at + 2 * k + 1] = (odd >> np.uint64(4 * k)) & _15
+    return joined != np.uint64(0)
+
+
+@njit
+def _count_cells(bits, cell, cells):
+    """Count the set bits of squares of `cell` pixels, a power of two up to 32; return whether there are any."""
     height, words = bits.shape
-    across, lowest = 64 // cell, np.uint64((1 << cell) - 1)
+    across, lowest, joined = 64 // cell, np.uint64((1 << cell) - 1), np.uint64(0)
+    cells[:] = 0
     for row in range(height):
         sums = cells[row // cell]
         for word in range(words):
             x = bits[row, word]
-            if x == np.uint64(0):
-                continue
+            joined |= x
             width = 1
             for every in _FIELDS:
                 if width == cell:
@@ -94,45 +124,51 @@ def count_cells(bits, cell, cells):
                 width *= 2
             for k in range(across):
                 sums[word * across + k] += np.uint16((x >> np.uint64(k * cell)) & lowest)
+    return joined != np.uint64(0)
 
 
-@njit(cache=True, nogil=True)
-def join_cells(cells, window, coarser):
-    """Sums of 2 x 2 cells: at every cell into `window`, at every other one into `coarser`."""
-    for row in range(window.shape[0]):
-        upper, lower, sums = cells[row], cells[row + 1], window[row]
-        for column in range(len(sums)):
+@njit
+def _join_windows(cells, window):
+    """Sums of 2 x 2 cells at every cell."""
+    columns = cells.shape[1] - 1
+    for row in range(cells.shape[0] - 1):
+        upper, lower, sums = cells[row], cells[row + 1], window[row * columns : (row + 1) * columns]
+        for column in range(columns):
             sums[column] = upper[column] + upper[column + 1] + lower[column] + lower[column + 1]
+
+
+@njit
+def _join_cells(cells, coarser):
+    """Sums of 2 x 2 cells at every other one; rows behind the last are empty."""
     for row in range(coarser.shape[0]):
-        for column in range(coarser.shape[1]):
-            total = cells[2 * row, 2 * column] + cells[2 * row, 2 * column + 1]
-            if 2 * row + 1 < cells.shape[0]:
-                total += cells[2 * row + 1, 2 * column] + cells[2 * row + 1, 2 * column + 1]
-            coarser[row, column] = total
+        upper, sums = cells[2 * row], coarser[row]
+        for column in range(len(sums)):
+            sums[column] = upper[2 * column] + upper[2 * column + 1]
+        if 2 * row + 1 < cells.shape[0]:
+            lower = cells[2 * row + 1]
+            for column in range(len(sums)):
+                sums[column] += lower[2 * column] + lower[2 * column + 1]
 
 
 @njit(cache=True, nogil=True)
-def agreement(foliage1, branch1, foliage2, branch2, weight):
+def agreement(one, two, ends, weight):
     """Mean over the scales of the shared counts by the joined counts."""
-    total = 0.0
-    for scale in range(len(foliage1)):
-        f_low, f_high = _shared(foliage1[scale], foliage2[scale])
-        b_low, b_high = _shared(branch1[scale], branch2[scale])
+    total, first = 0.0, 0
+    for end in ends:
+        f_low, f_high = _shared(one[0, first:end], two[0, first:end])
+        b_low, b_high = _shared(one[1, first:end], two[1, first:end])
         high = f_high + weight * b_high
         total += (f_low + weight * b_low) / high if high > 0 else 1.0
-    return total / len(foliage1)
+        first = end
+    return total / len(ends)
 
 
-@njit(cache=True, nogil=True)
+@njit
 def _shared(one, two):
     """Sums of the smaller and of the larger counts."""
-    low, high = 0, 0
-    for row in range(one.shape[0]):
-        a, b = one[row], two[row]
-        row_low, row_high = np.uint32(0), np.uint32(0)
-        for column in range(len(a)):
-            row_low += np.uint32(min(a[column], b[column]))
-            row_high += np.uint32(max(a[column], b[column]))
-        low += int(row_low)
-        high += int(row_high)
-    return low, high
+    low, high = np.uint32(0), np.uint32(0)
+    for i in range(len(one)):
+        a, b = np.uint32(one[i]), np.uint32(two[i])
+        low += min(a, b)
+        high += max(a, b)
+    return float(low), float(high)

@@ -15,6 +15,10 @@ def iou(one: NDArray[np.bool_], two: NDArray[np.bool_]) -> float:
 
 
 def class_iou(target: Mask, plant: Mask) -> float:
-    """Mean over background, branch and foliage of their intersection by union; classes in neither do not count."""
-    classes = [label for label in (BACKGROUND, BRANCH, FOLIAGE) if (target == label).any() or (plant == label).any()]
+    """Mean over the classes of the target, of background, branch and foliage, of their intersection by union.
+
+    Pixels of a class that the target lacks cost the classes in whose place they are, and are no class of their own: a
+    single one would cost a third.
+    """
+    classes = [label for label in (BACKGROUND, BRANCH, FOLIAGE) if (target == label).any()]
     return float(np.mean([iou(target == label, plant == label) for label in classes]))

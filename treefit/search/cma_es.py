@@ -1,0 +1,140 @@
+"""CMA-ES: a normal distribution that turns and stretches towards better genomes (N. Hansen, arXiv:1604.00772).
+
+A random start finds where to begin. Draws outside the unit cube are mirrored back into it. Once the distribution has
+shrunk the search starts again, round and wide, around the best known: the next hill is often higher.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+from pydantic import ConfigDict, Field
+from pydantic.dataclasses import dataclass
+
+from treefit.search.archive import Archive
+from treefit.search.gaussian import Gaussian, around, learn, rates
+from treefit.search.optimizer import Genomes, Scores, State
+
+START_BATCH = 100
+"""Random genomes of one ask: each batch knows the floor of the ones before."""
+
+
+@dataclass(frozen=True, config=ConfigDict(extra="forbid"))
+class CMAES:
+    """Settings of CMA-ES."""
+
+    evaluations: int = Field(default=50_000, ge=1)
+    start_share: float = Field(default=0.06, ge=0, le=1)
+    generations: int = Field(default=450, ge=1)
+    min_population: int = Field(default=16, ge=4)
+    step: float = Field(default=0.25, gt=0, le=1)
+    converged: float = Field(default=0.005, gt=0, le=1)
+    restart_step: float = Field(default=0.15, gt=0, le=1)
+
+    def start(self, n_genes: int, seed: int) -> CMAESSearch:
+        """Optimizer for genomes of `n_genes` genes."""
+        return CMAESSearch(self, n_genes, seed)
+
+
+class CMAESSearch:
+    """CMA-ES under way; `gaussian` is None during the random start."""
+
+    def __init__(self, settings: CMAES, n_genes: int, seed: int) -> None:
+        self.settings, self.n_genes, self.seed = settings, n_genes, seed
+        self.strangers = max(1, round(settings.start_share * settings.evaluations))
+        self.population = max(settings.min_population, (settings.evaluations - self.strangers) // settings.generations)
+        self.archive, self.rates = Archive(n_genes), rates(n_genes, self.population)
+        self.told, self.restarts = 0, 0
+        self.gaussian: Gaussian | None = None
+        self._normals: NDArray[np.float64] = np.empty((0, n_genes))
+        self._asked: Genomes | None = None
+
+    @property
+    def done(self) -> bool:
+        """Whether the budget of evaluations is spent."""
+        return self.told >= self.settings.evaluations
+
+    @property
+    def stage(self) -> str:
+        """Restart, generation and how far the search still reaches."""
+        if self.gaussian is None:
+            return "random start"
+        reach = float(np.median(self.gaussian.spread))
+        return f"start {self.restarts + 1}, generation {self.gaussian.generation}, spread {reach:.3f}"
+
+    def ask(self) -> Genomes:
+        """Random genomes at the start, then draws of the distribution."""
+        if self._asked is not None:
+            raise ValueError("ask: tell the scores of the last genomes first")
+        left = self.settings.evaluations - self.told
+        if self.gaussian is None:
+            count = min(START_BATCH, self.strangers - self.told, left)
+            self._asked = np.random.default_rng([self.seed, self.told]).random((count, self.n_genes))
+            return self._asked
+        g = self.gaussian
+        rng = np.random.default_rng([self.seed, self.restarts, g.generation, 1])
+        self._normals = rng.standard_normal((self.population, self.n_genes))
+        self._asked = mirrored(g.place(g.steps(self._normals)))[:left]
+        return self._asked
+
+    def floors(self) -> Scores:
+        """Floor of the archive in the random start, whose best alone matters; later every rank matters."""
+        if self._asked is None:
+            raise ValueError("floors: ask for genomes first")
+        return np.full(len(self._asked), self.archive.floor if self.gaussian is None else -np.inf)
+
+    def tell(self, scores: Scores) -> None:
+        """Take the scores; the distribution learns from their order."""
+        if self._asked is None or len(scores) != len(self._asked):
+            raise ValueError(f"tell: needs one score for each genome asked, got {len(scores)}")
+        asked, self._asked = self._asked, None
+        self.told += len(asked)
+        self.archive.add(asked, scores)
+        if self.done:  # the last batch, which the budget may have cut anywhere
+            return
+        if self.gaussian is not None:
+            order = np.argsort(-scores, kind="stable")
+            self.gaussian = learn(self.gaussian, self.rates, self._normals[order])
+            if np.median(self.gaussian.spread) < self.settings.converged:
+                self.restarts += 1
+                self.gaussian = around(self._best_known(), self.settings.restart_step)
+        elif self.told >= self.strangers:
+            self.gaussian = around(self._best_known(), self.settings.step)
+
+    def best(self, count: int) -> tuple[Genomes, Scores]:
+        """Distinct best of the whole run."""
+        return self.archive.best(count)
+
+    def state(self) -> dict[str, NDArray[np.generic]]:
+        """Distribution, if there is one yet, archive and counters."""
+        shape = {} if self.gaussian is None else vars(self.gaussian)
+        return {
+            **{name: np.array(value) for name, value in shape.items()},
+            "archive_genomes": self.archive.genomes, "archive_scores": self.archive.scores,
+            "counters": np.array([self.told, self.restarts]),
+        }  # fmt: skip
+
+    def restore(self, state: State) -> None:
+        """Go on from `state`."""
+        self.archive.genomes = np.asarray(state["archive_genomes"], float)
+        self.archive.scores = np.asarray(state["archive_scores"], float)
+        self.told, self.restarts = (int(number) for number in state["counters"])
+        self.gaussian, self._asked = None, None
+        if "mean" in state:
+            self.gaussian = Gaussian(
+                mean=np.asarray(state["mean"], float), sigma=float(state["sigma"]),
+                scale=np.asarray(state["scale"], float), covariance=np.asarray(state["covariance"], float),
+                axes=np.asarray(state["axes"], float), lengths=np.asarray(state["lengths"], float),
+                sigma_path=np.asarray(state["sigma_path"], float),
+                scale_path=np.asarray(state["scale_path"], float),
+                covariance_path=np.asarray(state["covariance_path"], float), generation=int(state["generation"]),
+            )  # fmt: skip
+
+    def _best_known(self) -> NDArray[np.float64]:
+        genomes, _ = self.archive.best(1)
+        return genomes[0] if len(genomes) else np.full(self.n_genes, 0.5)
+
+
+def mirrored(places: NDArray[np.float64]) -> Genomes:
+    """Any coordinates (m, n) as ones of [0, 1], which stay what they are."""
+    return np.abs((places + 1) % 2 - 1)
