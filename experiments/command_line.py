@@ -13,6 +13,7 @@ from experiments.pictures import is_file
 
 FILE_KEYS = ("image", "preset", "mask.path")
 FOLDER_KEYS = ("resume", "hydra.run.dir", "hydra.sweep.dir", "tracking.uri")
+PATTERN_KEYS = ("similarities.masks",)
 KEPT_ON_RESUME = ("resume", "debug", "tracking", "evaluator", "stop", "hydra")
 """Settings that a resumed run may be given: none of them changes what the search would have found."""
 
@@ -58,10 +59,10 @@ def _key(argument: str) -> str:
 
 def _prepare_one(argument: str, sweep: bool) -> str:
     match, key = _SETTING.fullmatch(argument), _key(argument)
-    if not match or key not in FILE_KEYS + FOLDER_KEYS:
+    if not match or key not in FILE_KEYS + FOLDER_KEYS + PATTERN_KEYS:
         return argument
     value = match["value"]
-    if key in FOLDER_KEYS:
+    if key in FOLDER_KEYS + PATTERN_KEYS:
         plain = "${" in value or _is_settled(value)
         return argument if plain else f"{match['key']}={quote(value)}"
     if not is_file(value) and _is_settled(value):

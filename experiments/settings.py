@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from collections.abc import Mapping
+from dataclasses import field
+from typing import Annotated, Literal
 
 from omegaconf import DictConfig, OmegaConf
-from pydantic import BeforeValidator, Field, TypeAdapter, ValidationError, field_validator
+from pydantic import BeforeValidator, ConfigDict, Field, TypeAdapter, ValidationError, ValidationInfo, field_validator
 from pydantic.dataclasses import dataclass
 
 from experiments.errors import UserError, describe_validation, did_you_mean
@@ -29,6 +31,7 @@ TASKS = {
     "benchmark": ("generator", "similarity", "view"),
     "fidelity": ("generator", "similarity", "view"),
     "speed_study": ("generator", "view"),
+    "similarities": ("generator", "mask", "similarity", "characteristics", "optimizer", "view", "evaluator"),
 }
 """Groups that a task builds, by task."""
 
@@ -84,6 +87,33 @@ class SpeedStudy:
     renew: bool = False
 
 
+@dataclass(frozen=True, config=ConfigDict(extra="forbid"))
+class Variant:
+    """What one similarity of the task similarities has otherwise than the configured Mix; terms not named weigh 0."""
+
+    weights: Mapping[str, Annotated[float, Field(ge=0)]] | None = None
+    combine: Literal["sum", "product"] | None = None
+
+
+@dataclass(frozen=True, config=ConfigDict(extra="forbid"))
+class Similarities:
+    """What the task similarities compares: `names` of the `variants`, all when None, on the files of `masks`."""
+
+    variants: Mapping[Annotated[str, Field(pattern=r"^\w[\w.-]*$")], Variant] = field(default_factory=dict)
+    masks: Name | None = None
+    names: Annotated[tuple[Name, ...], Field(min_length=1)] | None = None
+    evaluations: Annotated[int, Field(ge=1)] = 15_000
+    renew: bool = False
+
+    @field_validator("names")
+    @classmethod
+    def _known(cls, names: tuple[str, ...] | None, info: ValidationInfo) -> tuple[str, ...] | None:
+        for name in names or ():
+            if name not in info.data.get("variants", ()):
+                raise ValueError(f"no similarity {name!r}{did_you_mean(name, info.data.get('variants', ()))}")
+        return names
+
+
 @dataclass(frozen=True)
 class Settings:
     """Values of the run itself; files are names as the user gave them."""
@@ -101,6 +131,7 @@ class Settings:
     fidelity: Fidelity = Fidelity()
     benchmark: Benchmark = Benchmark()
     speed_study: SpeedStudy = SpeedStudy()
+    similarities: Similarities = field(default_factory=Similarities)
 
     @field_validator("task")
     @classmethod

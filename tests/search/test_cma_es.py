@@ -10,7 +10,7 @@ from treefit.search import CMAES
 from treefit.search.cma_es import CMAESSearch, mirrored
 from treefit.search.gaussian import around, learn, rates
 
-SMALL = CMAES(evaluations=3000, start_share=0.1, generations=180)
+SMALL = CMAES(evaluations=3000, start_share=0.1, min_population=16)
 STRETCH = 10 ** (3 * np.arange(10) / 9)  # of the axes of the bowls: the longest is a thousand times the shortest
 
 

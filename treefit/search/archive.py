@@ -23,8 +23,13 @@ class Archive:
     def add(self, genomes: Genomes, scores: Scores) -> None:
         """Take in the candidates (m, n) that are over the floor."""
         floor = self.floor  # of before: one that replaces two makes room, which is not for those known to be hopeless
-        for i in np.argsort(-scores, kind="stable"):
-            if scores[i] <= max(floor, self.floor):
+        order = np.argsort(-scores, kind="stable")
+        order = order[scores[order] > floor]
+        for i in order[:1]:
+            self._add_one(genomes[i], float(scores[i]))
+        apart = genomes[order[1:]] - self.genomes[:1]  # from the best, which is known now: none near it is taken in
+        for i in order[1:][np.einsum("ij,ij->i", apart, apart) >= self.distance**2 * genomes.shape[1]]:
+            if scores[i] <= self.floor:
                 return
             self._add_one(genomes[i], float(scores[i]))
 

@@ -26,7 +26,7 @@ class CMAES:
     evaluations: int = Field(default=50_000, ge=1)
     start_share: float = Field(default=0.06, ge=0, le=1)
     generations: int = Field(default=450, ge=1)
-    min_population: int = Field(default=16, ge=4)
+    min_population: int = Field(default=24, ge=4)
     step: float = Field(default=0.25, gt=0, le=1)
     converged: float = Field(default=0.005, gt=0, le=1)
     restart_step: float = Field(default=0.15, gt=0, le=1)
@@ -136,5 +136,5 @@ class CMAESSearch:
 
 
 def mirrored(places: NDArray[np.float64]) -> Genomes:
-    """Any coordinates (m, n) as ones of [0, 1], which stay what they are."""
+    """Any coordinates (m, n) as ones of [0, 1]: a path that leaves the interval is thrown back at its end."""
     return np.abs((places + 1) % 2 - 1)

@@ -1,0 +1,42 @@
+"""Targets of the task similarities: masks by the name of their picture."""
+
+from __future__ import annotations
+
+import glob
+import os
+from pathlib import Path
+from typing import cast
+
+from omegaconf import DictConfig
+
+from experiments.build import build
+from experiments.errors import UserError, blame
+from experiments.pictures import EXAMPLES, examples
+from treefit.image import Extractor, read_picture
+from treefit.image.read import read_mask_file
+from treefit.mask import Mask
+from treefit.view.frame import place
+
+
+def read_targets(pattern: str | None, extractor: DictConfig) -> dict[str, Mask]:
+    """Masks in the files that `pattern` matches; None: those that `extractor` finds in the example pictures."""
+    if pattern is None:
+        find = cast(Extractor, build(extractor, "mask"))
+        return {Path(name).stem: find(read_picture(EXAMPLES / name)).mask for name in examples()}
+    targets: dict[str, Mask] = {}
+    for file in _files(pattern):
+        name = file.stem.removeprefix("mask_")
+        if name in targets:
+            raise UserError(f"similarities.masks: two files are named {name!r}; rename one, {file} for example")
+        targets[name] = read_mask_file(file)
+        with blame(f"similarities.masks: {file}"):
+            place(targets[name])
+    return targets
+
+
+def _files(pattern: str) -> list[Path]:
+    found = glob.glob(os.path.expanduser(pattern), recursive=True)  # noqa: PTH111, PTH207  as in command_line.py
+    files = sorted(Path(file) for file in found if Path(file).is_file())
+    if not files:
+        raise UserError(f"similarities.masks: no file matches {pattern!r}")
+    return files
