@@ -50,6 +50,7 @@ def run(cfg: DictConfig) -> None:
     resolution = int(cfg.view.resolution)
     shown = {name: sample(mask, frame_for(mask, resolution).finer(REPORT_HEIGHT)) for name, mask in targets.items()}
     search = Search.of(cfg, wanted.evaluations)
+    search.warm(next(iter(targets.values())), mixes.values())
     fits: list[JudgedFit] = []
     pairs = [(picture, name) for picture in targets for name in mixes]
     for i, (picture, name) in enumerate(pairs):
@@ -57,7 +58,7 @@ def run(cfg: DictConfig) -> None:
         fits += [found] if found else []
         if fits and name == list(mixes)[-1]:
             study = Study(search.generator, wanted.evaluations, settings.seed, settings.other_seeds, mixes, shown, fits)
-            _write(study, folder, wanted.renew)
+            _write(study, folder, renew=wanted.renew and i + 1 == len(pairs))
     if not fits:
         raise SearchError("similarities: no fit succeeded, the lines above say why")
     files = {"table": str(folder / "similarities.md"), "sheet": str(folder / "similarities.png")}

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 
-from experiments.similarities_fit import JudgedFit, Study
+from experiments.similarities_fit import Study
 from treefit.similarity import Mix
 from treefit.similarity.measures import Agreement
 
@@ -46,10 +46,10 @@ MEASURES = (
 )
 BY_PICTURE = tuple(one for one in MEASURES if one.field in ("silhouette_iou", "class_iou", "hull_iou", "texture"))
 
-HOW = """Each picture is fitted by each similarity, and the best tree is judged at 256 rows by measures that were not the
-score of the search. They are not equally free of it: `classes` is near to class and branch IoU, `texture` to texture and
-the ratios, `trunk` to the two errors of the trunk. No term is like the hull IoU and the contour distance. `%` are percent
-of the height, the sizes of errors are averaged without their sign, and the best of a column is bold."""
+HOW = """Each picture is fitted by each similarity, and the best tree is judged at 256 rows by measures that were not
+the score of the search. They are not equally free of it: `classes` is near to class and branch IoU, `texture` to
+texture and the ratios, `trunk` to the two errors of the trunk. No term is like the hull IoU and the contour distance.
+`%` are percent of the height, errors are averaged without their sign, and the best of a column is bold."""
 
 
 def page(study: Study, given: Iterable[str]) -> str:
@@ -102,8 +102,8 @@ def _means(study: Study, others: bool) -> list[str]:
 def _by_picture(study: Study, measure: Measure) -> list[str]:
     rows = []
     for picture in study.pictures:
-        fits: list[JudgedFit | None] = [study.by_pair.get((picture, name)) for name in study.mixes]
-        rows.append([picture, *_column([fit and measure.of(fit.agreement) for fit in fits], measure)])
+        fits = [study.by_pair.get((picture, name)) for name in study.mixes]
+        rows.append([picture, *_column([measure.of(fit.agreement) if fit else None for fit in fits], measure)])
     return [f"## {measure.words[0].upper()}{measure.words[1:]} by picture", "",
             *_table(["picture", *study.mixes], rows), ""]  # fmt: skip
 

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from PIL import Image, ImageDraw
 
 from experiments.similarities_fit import JudgedFit, Study
+from experiments.similarities_page import means
 from treefit.asset.font import font
 from treefit.mask import PALETTE, Mask
 
@@ -18,10 +19,10 @@ WIDTH = 1600
 
 _MARGIN, _GAP = 24, 10
 _NARROWEST, _WIDEST, _TALLEST = 112, 210, 230  # pixels of a panel
-_TITLE, _NAME, _NUMBER = 20, 15, 12  # font sizes
-_HEAD = _MARGIN + _TITLE + 14  # where the names of the columns are
-_TOP = _HEAD + 2 * _NAME + 16
-_CAPTION = _NUMBER + 22  # under a panel, with the space to the next row
+_TITLE, _NAME, _NUMBER = 20, 15, 13  # font sizes
+_HEAD = _MARGIN + _TITLE + _NUMBER + 28  # where the names of the columns are
+_TOP = _HEAD + 2 * _NAME + 32
+_CAPTION = _NUMBER + 26  # under a panel, with the space to the next row
 _PAPER, _INK, _FAINT, _LINE, _BEST = (255, 255, 255), (34, 34, 34), (125, 125, 125), (226, 226, 226), (30, 110, 40)
 _ROOM = 1.35  # a row is as wide as its target times this at most; what a tree has beyond is cut off
 _SHOWN = ("silhouette_iou", "class_iou", "texture")
@@ -93,21 +94,16 @@ def _draw_head(page: Image.Image, study: Study, cell: int) -> None:
     title = f"{study.generator}, {study.evaluations:,} evaluations"
     draw.text((_MARGIN, _MARGIN - 4), title, _INK, font(_TITLE))
     legend = "under each tree: silhouette IoU, class IoU, texture; the best of a row is green"
-    draw.text((_MARGIN + font(_TITLE).getlength(title) + 16, _MARGIN + 2), legend, _FAINT, font(_NUMBER + 1))
-    columns = {name: [fit for fit in study.fits if fit.similarity == name] for name in study.mixes}
-    middles = {name: _mean(fits) for name, fits in columns.items() if fits}
+    draw.text((_MARGIN, _MARGIN + _TITLE + 4), legend, _FAINT, font(_NUMBER))
+    middles = {name: [row[measure] for measure in _SHOWN] for name, row in means(study).items()}
     best = [max(numbers) for numbers in zip(*middles.values(), strict=True)]
     draw.text((_left(0, cell) + cell / 2, _HEAD), "picture", _INK, font(_NAME), anchor="ma")
     draw.text((_left(0, cell) + cell / 2, _HEAD + _NAME + 7), "mean", _FAINT, font(_NUMBER), anchor="ma")
-    for i, name in enumerate(columns, start=1):
+    for i, name in enumerate(study.mixes, start=1):
         middle = _left(i, cell) + cell / 2
         draw.text((middle, _HEAD), _fitted(name, cell), _INK, font(_NAME), anchor="ma")
         if name in middles:
             _draw_numbers(draw, list(zip(middles[name], best, strict=True)), middle, _HEAD + _NAME + 7)
-
-
-def _mean(fits: Sequence[JudgedFit]) -> list[float]:
-    return [float(np.mean([getattr(fit.agreement, name) for fit in fits])) for name in _SHOWN]
 
 
 def _draw_numbers(draw: ImageDraw.ImageDraw, numbers: Sequence[tuple[float, float]], middle: float, top: float) -> None:

@@ -20,7 +20,7 @@ from treefit.similarity.trunk import Trunk
 from treefit.view.frame import BitMask
 
 WEIGHTS = {"soft": 0.3, "stripes": 0.15, "classes": 0.25, "texture": 0.2, "trunk": 0.07, "asymmetry": 0.03}
-"""Weights of the default terms: those that gave the best fits (experiments/terms.md)."""
+"""Weights of the default terms: those that gave the best fits (experiments/similarities.md)."""
 
 
 def _terms() -> dict[str, Similarity[Any]]:
