@@ -5,9 +5,10 @@ from treefit.candidates import Candidate
 from treefit.fit import Result, Stop, fit
 from treefit.objective import Score
 from treefit.plant.characteristics import Characteristics
-from treefit.search import RandomSearch, TreeGA
+from treefit.search import CMAES, RandomSearch, TreeGA
 
 __all__ = [
+    "CMAES",
     "AssetSettings",
     "Candidate",
     "Characteristics",

@@ -21,7 +21,7 @@ from treefit.objective import Objective, View
 from treefit.plant import Budget, Generator
 from treefit.plant.characteristics import Characteristics
 from treefit.progress import Failure, Generation, Progress
-from treefit.search import Optimizer, Strategy, TreeGA
+from treefit.search import CMAES, Optimizer, Strategy
 from treefit.similarity import Mix, Similarity
 from treefit.view import BitMask, OrthographicView, frame_for, sample
 
@@ -96,7 +96,7 @@ def fit(
         mask = (extractor or AutoMask())(read_picture(picture)).mask
     objective = aim(mask, generator, similarity or Mix(), characteristics or Characteristics(),
                     view or OrthographicView(), seed, budget)  # fmt: skip
-    strategy = optimizer or TreeGA()
+    strategy = optimizer or CMAES()
     search = strategy.start(len(objective.space), seed)
     progress = _search(objective, search, evaluator or Evaluator(), stop or Stop(), checkpoint, on_generation,
                        _fingerprint(objective, mask, strategy))  # fmt: skip

@@ -71,7 +71,8 @@ _ADDED = (
     ),
     _number("lean", -0.2, 0.2, 0.0, "rad", "angle of the trunk's base to the vertical, to the right"),
     _number("trunk_bend", -0.35, 0.35, 0.0, "rad", "turn of the trunk from base to tip, to the right"),
-    _number("taper", 0.03, 0.7, 0.3, "share", "radius at the tip of a trunk or branch by that at its base"),
+    _number("trunk_taper", 0.03, 1.0, 0.3, "share", "radius at the tip of the trunk by that at its base"),
+    _number("taper", 0.03, 0.7, 0.3, "share", "radius at the tip of a branch by that at its base"),
     _number("droop_1", -1.5, 1.5, 0.0, "rad", "turn of level 1 from base to tip, upwards"),
     _number("droop_2", -1.5, 1.5, 0.0, "rad", "turn of deeper levels from base to tip, upwards"),
     _number("wobble", 0.0, 0.4, 0.15, "rad", "random turn at every joint"),
@@ -82,8 +83,8 @@ _ADDED = (
 NEUTRAL = {
     "levels": 4, "whorl": 1, **{f"crown_{side}_{knot}": 1.0 for side in ("left", "right") for knot in range(KNOTS)},
     "crown_depth": 1.0, "crown_hang": 0.0, "crown_rise": 0.0, "crown_keep": 0.0, "branch_angle_change": 0.0,
-    "length_variation": 0.0, "shortening": 0.0, "lean": 0.0, "trunk_bend": 0.0, "taper": 0.3, "droop_1": 0.0,
-    "droop_2": 0.0, "wobble": 0.0, "leaf_number": 1, "leaf_width": 1.0,
+    "length_variation": 0.0, "shortening": 0.0, "lean": 0.0, "trunk_bend": 0.0, "trunk_taper": 0.3, "taper": 0.3,
+    "droop_1": 0.0, "droop_2": 0.0, "wobble": 0.0, "leaf_number": 1, "leaf_width": 1.0,
 }  # fmt: skip
 """Values of the additions at which SimpleGen is the paper's."""
 

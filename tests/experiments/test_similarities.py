@@ -30,7 +30,7 @@ from treefit.similarity import Mix
 from treefit.similarity.measures import agreement
 
 SMALL = ["task=similarities", "similarities.names=[paper,treefit]", "similarities.evaluations=300", "other_seeds=1",
-         "characteristics.vertices=400", "view.resolution=64", "optimizer.start_population=50"]  # fmt: skip
+         "characteristics.vertices=400", "view.resolution=64"]  # fmt: skip
 
 
 @pytest.fixture(autouse=True)
