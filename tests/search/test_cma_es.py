@@ -92,7 +92,7 @@ def test_the_population_follows_from_the_budget_and_the_random_start_comes_first
         search.tell(np.ones(sizes[-1]))
     assert sizes[:3] == [100, 100, 100]
     assert set(sizes[3:-1]) == {16}
-    assert len(CMAES(50_000).start(8, 0).rates.good) == 104
+    assert len(CMAES(50_000).start(8, 0).rates.good) == 52
 
 
 @pytest.mark.parametrize("score", [0.0, 0.5])

@@ -25,7 +25,7 @@ class CMAES:
 
     evaluations: int = Field(default=50_000, ge=1)
     start_share: float = Field(default=0.06, ge=0, le=1)
-    generations: int = Field(default=450, ge=1)
+    generations: int = Field(default=900, ge=1)
     min_population: int = Field(default=24, ge=4)
     step: float = Field(default=0.25, gt=0, le=1)
     converged: float = Field(default=0.005, gt=0, le=1)

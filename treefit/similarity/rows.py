@@ -6,7 +6,7 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-from treefit.similarity.bits import highest_bit, lowest_bit, popcount
+from treefit.similarity.bits import INNER, highest_bit, lowest_bit, popcount
 from treefit.view.frame import BitMask
 
 LEFT, RIGHT, AREA, RUNS, STARTS, WOOD, WOOD_LEFT, WOOD_RIGHT, MOMENT = range(9)
@@ -64,7 +64,7 @@ def scan(branch, foliage, step, fields):
         fields[WOOD, row], fields[WOOD_LEFT, row], fields[WOOD_RIGHT, row] = wood, wood_left, wood_right
 
 
-@njit(inline="always")
+@njit(**INNER)
 def _places(x):
     """Sum of the places of the set bits of a word."""
     total = 0

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from pydantic import ConfigDict, Field
 from pydantic.dataclasses import dataclass as checked
 
+from treefit.similarity.bits import INNER
 from treefit.view.frame import BitMask
 
 SCALES = 3
@@ -49,7 +50,7 @@ class SoftClasses:
         for scale in range(SCALES):
             n += (-(-rows >> scale) - 1) * ((columns >> scale) - 1)
             ends.append(n)
-        counts, cells = np.empty((2, n), np.uint16), np.empty(2 * (rows + 1) * columns, np.uint16)
+        counts, cells = np.empty((2, n), np.uint16), np.empty(2 * rows * columns, np.uint16)
         has_branch = count_windows(bits.foliage, bits.branch, cell, counts, cells)
         return Windows(counts, tuple(ends), has_branch)
 
@@ -69,50 +70,52 @@ def smallest_cell(height: int) -> int:
 
 @njit(cache=True, nogil=True)
 def count_windows(foliage, branch, cell, counts, memory):
-    """Fill `counts`; `memory` holds the cells. Return whether there is any branch."""
-    any_branch = False
+    """Fill `counts` (2, n); `memory` holds the cells of two scales. Return whether there is any branch.
+
+    Cells lie in flat memory, a row behind the other: arrays of two dimensions would take seconds to compile.
+    """
+    height, words = foliage.shape
+    flat, spare = counts.reshape(-1), len(memory) // 2
+    any_branch, to = False, 0
     for label in range(2):
         bits = foliage if label == 0 else branch
-        rows, columns, n = (bits.shape[0] + cell - 1) // cell, bits.shape[1] * 64 // cell, 0
-        cells = memory[: rows * columns].reshape(rows, columns)
-        filled = _count_pairs(bits, cells) if cell == 2 and bits.shape[0] % 2 == 0 else _count_cells(bits, cell, cells)
+        rows, columns, at = (height + cell - 1) // cell, words * 64 // cell, 0
+        filled = _count_pairs(bits, memory) if cell == 2 and height % 2 == 0 else _count_cells(bits, cell, memory)
         any_branch |= label == 1 and filled
         for _ in range(SCALES):
-            _join_windows(cells, counts[label, n : n + (rows - 1) * (columns - 1)])
-            n += (rows - 1) * (columns - 1)
-            rows, columns = (rows + 1) // 2, columns // 2
-            coarser = memory[len(memory) - rows * columns :].reshape(rows, columns)
-            _join_cells(cells, coarser)
-            cells = memory[: rows * columns].reshape(rows, columns)
-            cells[:] = coarser
+            to = _join_windows(memory, at, rows, columns, flat, to)
+            _join_cells(memory, at, rows, columns, spare - at)
+            rows, columns, at = (rows + 1) // 2, columns // 2, spare - at
     return any_branch
 
 
-@njit
-def _count_pairs(bits, cells):
+@njit(**INNER)
+def _count_pairs(bits, memory):
     """Count the set bits of squares of 2 pixels, two rows at once; return whether there are any."""
-    joined = np.uint64(0)
-    for row in range(cells.shape[0]):
-        upper, lower, sums = bits[2 * row], bits[2 * row + 1], cells[row]
-        for word in range(len(upper)):
-            a, b, at = upper[word], lower[word], word * 32
+    joined, at = np.uint64(0), 0
+    for row in range(0, bits.shape[0], 2):
+        for word in range(bits.shape[1]):
+            a, b = bits[row, word], bits[row + 1, word]
             joined |= a | b
             a, b = (a & _PAIRS) + ((a >> _1) & _PAIRS), (b & _PAIRS) + ((b >> _1) & _PAIRS)
             even, odd = (a & _FOURS) + (b & _FOURS), ((a >> _2) & _FOURS) + ((b >> _2) & _FOURS)
+            sums = memory[at : at + 32]
             for k in range(16):
-                sums[at + 2 * k] = (even >> np.uint64(4 * k)) & _15
-                sums[at + 2 * k + 1] = (odd >> np.uint64(4 * k)) & _15
+                sums[2 * k] = (even >> np.uint64(4 * k)) & _15
+                sums[2 * k + 1] = (odd >> np.uint64(4 * k)) & _15
+            at += 32
     return joined != np.uint64(0)
 
 
-@njit
-def _count_cells(bits, cell, cells):
+@njit(**INNER)
+def _count_cells(bits, cell, memory):
     """Count the set bits of squares of `cell` pixels, a power of two up to 32; return whether there are any."""
     height, words = bits.shape
     across, lowest, joined = 64 // cell, np.uint64((1 << cell) - 1), np.uint64(0)
-    cells[:] = 0
+    sums = memory[: (height + cell - 1) // cell * words * across]
+    for i in range(len(sums)):
+        sums[i] = 0
     for row in range(height):
-        sums = cells[row // cell]
         for word in range(words):
             x = bits[row, word]
             joined |= x
@@ -122,53 +125,52 @@ def _count_cells(bits, cell, cells):
                     break
                 x = (x & every) + ((x >> np.uint64(width)) & every)
                 width *= 2
+            at = (row // cell * words + word) * across
+            sums = memory[at : at + across]
             for k in range(across):
-                sums[word * across + k] += np.uint16((x >> np.uint64(k * cell)) & lowest)
+                sums[k] += np.uint16((x >> np.uint64(k * cell)) & lowest)
     return joined != np.uint64(0)
 
 
-@njit
-def _join_windows(cells, window):
-    """Sums of 2 x 2 cells at every cell."""
-    columns = cells.shape[1] - 1
-    for row in range(cells.shape[0] - 1):
-        upper, lower, sums = cells[row], cells[row + 1], window[row * columns : (row + 1) * columns]
-        for column in range(columns):
-            sums[column] = upper[column] + upper[column + 1] + lower[column] + lower[column + 1]
+@njit(**INNER)
+def _join_windows(memory, at, rows, columns, counts, to):
+    """Put the sums of 2 x 2 cells at every cell into `counts` from `to` on; return the place behind the last."""
+    for _ in range(rows - 1):
+        upper, lower = memory[at : at + columns], memory[at + columns : at + 2 * columns]
+        sums = counts[to : to + columns - 1]
+        for i in range(len(sums)):
+            sums[i] = upper[i] + upper[i + 1] + lower[i] + lower[i + 1]
+        at, to = at + columns, to + columns - 1
+    return to
 
 
-@njit
-def _join_cells(cells, coarser):
-    """Sums of 2 x 2 cells at every other one; rows behind the last are empty."""
-    for row in range(coarser.shape[0]):
-        upper, sums = cells[2 * row], coarser[row]
-        for column in range(len(sums)):
-            sums[column] = upper[2 * column] + upper[2 * column + 1]
-        if 2 * row + 1 < cells.shape[0]:
-            lower = cells[2 * row + 1]
-            for column in range(len(sums)):
-                sums[column] += lower[2 * column] + lower[2 * column + 1]
+@njit(**INNER)
+def _join_cells(memory, at, rows, columns, to):
+    """Put the sums of 2 x 2 cells at every other one into the memory from `to` on; behind the last row is nothing."""
+    for row in range(0, rows, 2):
+        upper, lower = memory[at : at + columns], memory[at + columns : at + 2 * columns]
+        sums = memory[to : to + columns // 2]
+        for i in range(len(sums)):
+            sums[i] = upper[2 * i] + upper[2 * i + 1]
+        if row + 1 < rows:
+            for i in range(len(sums)):
+                sums[i] += lower[2 * i] + lower[2 * i + 1]
+        at, to = at + 2 * columns, to + columns // 2
 
 
 @njit(cache=True, nogil=True)
 def agreement(one, two, ends, weight):
-    """Mean over the scales of the shared counts by the joined counts."""
+    """Mean over the scales of the shared counts by the joined counts, both (2, n)."""
     total, first = 0.0, 0
     for end in ends:
-        f_low, f_high = _shared(one[0, first:end], two[0, first:end])
-        b_low, b_high = _shared(one[1, first:end], two[1, first:end])
+        f_low = f_high = b_low = b_high = np.uint32(0)
+        for i in range(first, end):
+            at = np.uint64(i)
+            f_low += min(one[0, at], two[0, at])
+            f_high += max(one[0, at], two[0, at])
+            b_low += min(one[1, at], two[1, at])
+            b_high += max(one[1, at], two[1, at])
         high = f_high + weight * b_high
         total += (f_low + weight * b_low) / high if high > 0 else 1.0
         first = end
     return total / len(ends)
-
-
-@njit
-def _shared(one, two):
-    """Sums of the smaller and of the larger counts."""
-    low, high = np.uint32(0), np.uint32(0)
-    for i in range(len(one)):
-        a, b = np.uint32(one[i]), np.uint32(two[i])
-        low += min(a, b)
-        high += max(a, b)
-    return float(low), float(high)

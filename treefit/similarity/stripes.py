@@ -8,10 +8,10 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
+from treefit.similarity.bits import INNER, ONE, highest_bit, lowest_bit, popcount
 from treefit.view.frame import BitMask
 
 DENSE_SHARE = 0.75  # "dense crown borders (>75% leaves pixels)" (sec. 4)
-_ONE = np.uint64(1)
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,26 +44,6 @@ def stripes(bits: BitMask, count: int) -> Stripes:
     return Stripes(crown, dense, branch, foliage)
 
 
-@njit(inline="always")
-def _popcount(x: np.uint64) -> int:
-    x = x - ((x >> np.uint64(1)) & np.uint64(0x5555555555555555))
-    x = (x & np.uint64(0x3333333333333333)) + ((x >> np.uint64(2)) & np.uint64(0x3333333333333333))
-    x = (x + (x >> np.uint64(4))) & np.uint64(0x0F0F0F0F0F0F0F0F)
-    return int((x * np.uint64(0x0101010101010101)) >> np.uint64(56))
-
-
-@njit(inline="always")
-def _lowest_bit(x: np.uint64) -> int:
-    return _popcount((x & (~x + _ONE)) - _ONE)
-
-
-@njit(inline="always")
-def _highest_bit(x: np.uint64) -> int:
-    for shift in (1, 2, 4, 8, 16, 32):
-        x |= x >> np.uint64(shift)
-    return _popcount(x) - 1
-
-
 @njit(cache=True, nogil=True, error_model="numpy")
 def measure(branch_bits, foliage_bits, crown, dense, branch, foliage):
     """Fill the arrays of Stripes from bit rows (height, words)."""
@@ -79,12 +59,12 @@ def measure(branch_bits, foliage_bits, crown, dense, branch, foliage):
             for row in range(first, end):
                 b, f = branch_bits[row, word], foliage_bits[row, word]
                 anything |= b | f
-                wood += _popcount(b)
-                leaves += _popcount(f)
+                wood += popcount(b)
+                leaves += popcount(f)
             if anything:
                 if left < 0:
-                    left = word * 64 + _lowest_bit(anything)
-                right = word * 64 + _highest_bit(anything) + 1
+                    left = word * 64 + lowest_bit(anything)
+                right = word * 64 + highest_bit(anything) + 1
             dense_columns[word] = _columns_over(foliage_bits, word, first, end, planes)
         if left < 0:
             crown[s], dense[s], branch[s], foliage[s] = 0.0, 0.0, 0.0, 0.0
@@ -99,7 +79,7 @@ def measure(branch_bits, foliage_bits, crown, dense, branch, foliage):
             dense[s, 0], dense[s, 1] = (start - middle) * unit, (start + length - middle) * unit
 
 
-@njit(inline="always")
+@njit(**INNER)
 def _columns_over(bits, word, first, end, planes):
     """Bits of the columns of one word whose count over the rows is above DENSE_SHARE of them.
 
@@ -120,7 +100,7 @@ def _columns_over(bits, word, first, end, planes):
     return over
 
 
-@njit(inline="always")
+@njit(**INNER)
 def _longest_run(columns):
     """Start and length of the longest run of set bits over the words."""
     best_start = best = start = run = 0
@@ -130,7 +110,7 @@ def _longest_run(columns):
             run = 0
             continue
         for bit in range(64):
-            if (value >> np.uint64(bit)) & _ONE:
+            if (value >> np.uint64(bit)) & ONE:
                 if run == 0:
                     start = word * 64 + bit
                 run += 1

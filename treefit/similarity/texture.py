@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from pydantic import ConfigDict, Field
 from pydantic.dataclasses import dataclass
 
+from treefit.similarity.bits import INNER
 from treefit.similarity.rows import AREA, LEFT, RIGHT, RUNS, STARTS, rows, step
 from treefit.view.frame import BitMask
 
@@ -93,7 +94,7 @@ def agreement(target, plant, fill, across, down, rough):
     return 1.0 - loss / (weights * whole) if weights * whole > 0 else 1.0
 
 
-@njit(inline="always")
+@njit(**INNER)
 def _lack(u, v):
     """1 - smaller by larger of two numbers over 0."""
     return 0.0 if u == v else 1.0 - min(u, v) / max(u, v)
