@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
 
-STALE = 0.1
+STALE = 0.04
 """Share of C that may be newer than its axes: decomposing it is the dearest step."""
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import threading
+
 import numpy as np
 from numba import njit
 from numpy.typing import NDArray
@@ -22,11 +24,23 @@ def step(height: int) -> int:
     return min(max(1, round(height / STEPS)), 63)
 
 
+class _Last(threading.local):
+    """Mask scanned last by a thread and its fields: several terms ask for those of one mask, one after the other."""
+
+    bits: BitMask | None = None
+    fields: NDArray[np.int32]
+
+
+_LAST = _Last()
+
+
 def rows(bits: BitMask) -> NDArray[np.int32]:
     """Fields (FIELDS, height) int32 of every row, from the top down; columns are 0 in an empty row."""
-    fields = np.empty((FIELDS, bits.branch.shape[0]), np.int32)
-    scan(bits.branch, bits.foliage, step(bits.branch.shape[0]), fields)
-    return fields
+    if _LAST.bits is not bits:
+        fields = np.empty((FIELDS, bits.branch.shape[0]), np.int32)
+        scan(bits.branch, bits.foliage, step(bits.branch.shape[0]), fields)
+        _LAST.bits, _LAST.fields = bits, fields
+    return _LAST.fields
 
 
 @njit(cache=True, nogil=True)
