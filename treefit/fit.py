@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from threadpoolctl import threadpool_limits
 
 from treefit.candidates import Candidate, choose, judge
 from treefit.checkpoint import CheckpointError, read_checkpoint, write_checkpoint
@@ -98,8 +99,9 @@ def fit(
                     view or OrthographicView(), seed, budget)  # fmt: skip
     strategy = optimizer or CMAES()
     search = strategy.start(len(objective.space), seed)
-    progress = _search(objective, search, evaluator or Evaluator(), stop or Stop(), checkpoint, on_generation,
-                       _fingerprint(objective, mask, strategy))  # fmt: skip
+    with threadpool_limits(1, "blas"):  # its threads would fight with the evaluator's, and sum in another order
+        progress = _search(objective, search, evaluator or Evaluator(), stop or Stop(), checkpoint, on_generation,
+                           _fingerprint(objective, mask, strategy))  # fmt: skip
     genomes, _ = search.best(16 * candidates)
     chosen = choose(objective, list(genomes), candidates, min_distance)
     found = [judge(objective, genome, mask, other_seeds) for genome in chosen]

@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
 
-STALE = 0.04
-"""Share of C that may be newer than its axes: decomposing it is the dearest step."""
+TURN_EVERY = 5
+"""Generations between two decompositions of C, the dearest step; in one, about a hundredth of C is renewed."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -117,8 +117,7 @@ def learn(gaussian: Gaussian, rates: Rates, normals: Floats) -> Gaussian:
         covariance=_covariance(g, rates.covariance, steps, far, covariance_path),
         sigma_path=sigma_path, scale_path=scale_path, covariance_path=covariance_path, generation=generation,
     )  # fmt: skip
-    every = max(1, round(STALE / (rates.covariance.one + rates.covariance.many)))
-    return _turned(learnt) if generation % every == 0 else learnt
+    return _turned(learnt) if generation % TURN_EVERY == 0 else learnt
 
 
 def _growth(g: Gaussian, rate: Rate, normals: Floats, far: Floats, path: Floats) -> Floats:
