@@ -51,7 +51,8 @@ def grow_branches(rule, crown, level, stems, n_stems, wood, n, children, floats,
             fitting = min(count, wood.numbers.shape[1] - n)
             put_wood(wood, n, floats, fitting, i, level, count)
             n += fitting
-            _children(rule, crown, floats, keys, count, i)
+            _children(rule, floats, keys, count, i)
+            _keep(rule, crown, floats, count)
             picked = _pick(rule, floats, keys, count)
             if fitting < count or m + picked > len(children.keys):
                 return n, m, True
@@ -61,13 +62,13 @@ def grow_branches(rule, crown, level, stems, n_stems, wood, n, children, floats,
 
 
 @njit(**INNER)
-def _children(rule, crown, floats, keys, count, i):
+def _children(rule, floats, keys, count, i):
     """One child at joint `i` of each stem, the last one straight on."""
     t = rule.start + (1.0 - rule.start) * i / rule.joints
     reach, variation = np.float32(rule.length * (1.0 - rule.shortening * t)), np.float32(rule.variation)
     cosine, sine = np.float32(math.cos(rule.angle)), np.float32(math.sin(rule.angle))
     thin = np.float32(rule.radius if i < rule.joints else 1.0)
-    straight, bent = i == rule.joints, np.float32(0.5 * rule.child_upwards)
+    straight = i == rule.joints
     for s in range(count):
         twig = child_key(keys[JOINT + s], CHILD)
         keys[MADE + s] = twig
@@ -81,8 +82,17 @@ def _children(rule, crown, floats, keys, count, i):
         floats[SUM_Y + s] += cy
         cx, cy, cz = (dx, dy, dz) if straight else (cx, cy, cz)
         floats[CX + s], floats[CY + s], floats[CZ + s] = cx, cy, cz
+
+
+@njit(**INNER)
+def _keep(rule, crown, floats, count):
+    """Shorten the children that leave the crown."""
+    bent = np.float32(0.5 * rule.child_upwards)
+    for s in range(count):
         x, y, z, long = floats[X + s], floats[Y + s], floats[Z + s], floats[CHILD_LONG + s]
-        floats[CHILD_LONG + s] = long * kept(crown, x, y, z, cx, cy, cz + bent, long)
+        floats[CHILD_LONG + s] = long * kept(
+            crown, x, y, z, floats[CX + s], floats[CY + s], floats[CZ + s] + bent, long
+        )
 
 
 @njit(**INNER)

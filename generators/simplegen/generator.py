@@ -10,7 +10,7 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from generators.simplegen.crown import KNOTS
+from generators.simplegen.crown import KNOTS, broken_line
 from generators.simplegen.growth import Scratch, grow
 from generators.simplegen.parameters import FIXED, LEVELS, NEUTRAL, SPACE
 from generators.simplegen.rules import LeafRule, LevelRule
@@ -94,9 +94,12 @@ def _crown(values: Mapping[str, Any]) -> NDArray[np.float32]:
     trunk = values["branch_len_0"]
     width = trunk * values["branch_len_1"]
     bottom = trunk * values["branching_start_0"] * (1.0 - values["crown_hang"])
-    sides = [width * values[f"crown_{side}_{knot}"] for side in ("left", "right") for knot in range(KNOTS)]
+    left, right = (
+        width * np.array([values[f"crown_{side}_{knot}"] for knot in range(KNOTS)]) for side in ("left", "right")
+    )
     shape = [values[name] for name in ("crown_keep", "branch_angle_change", "crown_depth")]
-    return np.array([bottom, trunk * (1.0 + values["crown_rise"]), *shape, *sides], np.float32)
+    lines = [*broken_line((left + right) / 2), *broken_line((right - left) / 2)]
+    return np.array([bottom, trunk * (1.0 + values["crown_rise"]) - bottom, *shape, *lines], np.float32)
 
 
 def _leaf_rule(values: Mapping[str, Any], twig: LevelRule) -> LeafRule:

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from generators.simplegen.branches import grow_branches
 from generators.simplegen.chunk import FLOATS, KEYS
+from generators.simplegen.crown import NUMBERS
 from generators.simplegen.directions import FAST, ONCE
 from generators.simplegen.rules import STEM_FIELDS, LeafRule, LevelRule, Stems, Wood
 from generators.simplegen.trunk import grow_trunk
@@ -37,15 +38,16 @@ class Scratch(threading.local):
 
 
 @njit(**FAST)
-def grow(told, crown, levels, length, radius, lean, key, scratch, numbers, integers, leaves):
+def grow(told, crown_numbers, levels, length, radius, lean, key, scratch, numbers, integers, leaves):
     """Grow a plant; return (vertices, leaves, whether the budget cut it).
 
-    `told` are the numbers of the rules of all levels and of the leaves, `crown` those of the crown. `numbers` (4, v)
-    takes x, y, z, radius, `integers` (2, v) parent and level, `leaves` (11, k) position, axis, normal, length, width.
+    `told` are the numbers of the rules of all levels and of the leaves, `crown_numbers` those of the crown. `numbers`
+    (4, v) takes x, y, z, radius, `integers` (2, v) parent and level, `leaves` (11, k) position, axis, normal, size.
     """
     stems, stem_keys, floats, keys = scratch
     wood = Wood(numbers, integers)
     front, back = Stems(stems[0], stem_keys[0]), Stems(stems[1], stem_keys[1])
+    crown = _fixed(crown_numbers, NUMBERS)
     leaf_rule = LeafRule(*_fixed(told[levels * _LEVEL : levels * _LEVEL + _LEAF], _LEAF))
     n, m, cut = grow_trunk(_rule(told, 0), crown, length, length * radius, lean, key, wood, front)
     for level in range(1, levels - 1):

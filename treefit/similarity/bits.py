@@ -12,7 +12,7 @@ INNER: dict[str, Any] = {"nogil": True, "error_model": "numpy", "no_cpython_wrap
 """Settings of kernels that only kernels call: a third of the time to compile."""
 
 
-@njit(**INNER)
+@njit(inline="always")
 def popcount(x: np.uint64) -> int:
     """Count of set bits."""
     x = x - ((x >> np.uint64(1)) & np.uint64(0x5555555555555555))
@@ -21,13 +21,13 @@ def popcount(x: np.uint64) -> int:
     return int((x * np.uint64(0x0101010101010101)) >> np.uint64(56))
 
 
-@njit(**INNER)
+@njit(inline="always")
 def lowest_bit(x: np.uint64) -> int:
     """Place of the lowest set bit, 64 when there is none."""
     return popcount((x & (~x + ONE)) - ONE)
 
 
-@njit(**INNER)
+@njit(inline="always")
 def highest_bit(x: np.uint64) -> int:
     """Place of the highest set bit, -1 when there is none."""
     for shift in (1, 2, 4, 8, 16, 32):

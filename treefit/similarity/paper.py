@@ -11,7 +11,6 @@ from numba import njit
 from pydantic import ConfigDict, Field
 from pydantic.dataclasses import dataclass
 
-from treefit.similarity.bits import INNER
 from treefit.similarity.stripes import Stripes, stripes
 from treefit.view.frame import BitMask
 
@@ -44,25 +43,25 @@ class PaperSimilarity:
         )  # fmt: skip
 
 
-@njit(**INNER)
+@njit(inline="always")
 def _overlap(a, b, c, d):
     """Length shared by the intervals [a, b] and [c, d]."""
     return max(min(b, d) - max(a, c), 0.0)
 
 
-@njit(**INNER)
+@njit(inline="always")
 def _ratio(u, v):
     """Smaller by larger of two shares, 1 when both are 0."""
     return 1.0 if u == v else min(u, v) / max(u, v)
 
 
-@njit(**INNER)
+@njit(inline="always")
 def _full(x):
     """The share x, 1 where rounding alone keeps it from being 1 (a pixel is at least a thousand times more)."""
     return 1.0 if x > 1.0 - 1e-6 else x
 
 
-@njit(**INNER)
+@njit(inline="always")
 def _smoothstep(x):
     return x * x * (3.0 - 2.0 * x)
 
@@ -100,7 +99,7 @@ def image_similarity(
     return found / most + weight * (trunk_found / trunk_most - found / most)
 
 
-@njit(**INNER)
+@njit(inline="always")
 def _match(a1, b1, c1, d1, a2, b2, c2, d2, cross):
     """Half of the shared length, dense over sparse crown at the weight `cross`."""
     low_low = _overlap(a1, b1, a2, b2) + _overlap(a1, b1, c2, d2) + _overlap(c1, d1, a2, b2) + _overlap(c1, d1, c2, d2)

@@ -8,7 +8,7 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-from treefit.similarity.bits import INNER, ONE, highest_bit, lowest_bit, popcount
+from treefit.similarity.bits import ONE, highest_bit, lowest_bit, popcount
 from treefit.view.frame import BitMask
 
 DENSE_SHARE = 0.75  # "dense crown borders (>75% leaves pixels)" (sec. 4)
@@ -79,7 +79,7 @@ def measure(branch_bits, foliage_bits, crown, dense, branch, foliage):
             dense[s, 0], dense[s, 1] = (start - middle) * unit, (start + length - middle) * unit
 
 
-@njit(**INNER)
+@njit(inline="always")
 def _columns_over(bits, word, first, end, planes):
     """Bits of the columns of one word whose count over the rows is above DENSE_SHARE of them.
 
@@ -100,7 +100,7 @@ def _columns_over(bits, word, first, end, planes):
     return over
 
 
-@njit(**INNER)
+@njit(inline="always")
 def _longest_run(columns):
     """Start and length of the longest run of set bits over the words."""
     best_start = best = start = run = 0
