@@ -8,7 +8,7 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-from treefit.similarity.bits import ONE, highest_bit, lowest_bit, popcount
+from treefit.similarity.bits import highest_bit, lowest_bit, popcount
 from treefit.view.frame import BitMask
 
 DENSE_SHARE = 0.75  # "dense crown borders (>75% leaves pixels)" (sec. 4)
@@ -105,17 +105,19 @@ def _longest_run(columns):
     """Start and length of the longest run of set bits over the words."""
     best_start = best = start = run = 0
     for word in range(len(columns)):
-        value = columns[word]
-        if value == np.uint64(0):
-            run = 0
-            continue
-        for bit in range(64):
-            if (value >> np.uint64(bit)) & ONE:
-                if run == 0:
-                    start = word * 64 + bit
-                run += 1
-                if run > best:
-                    best_start, best = start, run
-            else:
+        place = 0
+        while place < 64:
+            rest = columns[word] >> np.uint64(place)
+            gap = lowest_bit(rest)
+            if gap > 0:
                 run = 0
+            place += gap
+            if place >= 64:
+                break
+            if run == 0:
+                start = word * 64 + place
+            length = lowest_bit(~(rest >> np.uint64(gap)))
+            run, place = run + length, place + length
+            if run > best:
+                best_start, best = start, run
     return best_start, best
