@@ -67,7 +67,7 @@ class Progress:
             )
 
     def _explain_silence(self) -> None:
-        line = "growing the first trees; the first run on a machine also compiles its kernels, some 15 to 25 s"
+        line = "growing the first trees; the first run on a machine also compiles its kernels, some 25 s"
         self.console.print(line, highlight=False, soft_wrap=True)
 
 
