@@ -19,7 +19,7 @@ from treefit.similarity.texture import Texture
 from treefit.similarity.trunk import Trunk
 from treefit.view.frame import BitMask
 
-WEIGHTS = {"soft": 0.25, "stripes": 0.1, "classes": 0.33, "texture": 0.22, "trunk": 0.07, "asymmetry": 0.03}
+WEIGHTS = {"soft": 0.3, "stripes": 0.15, "classes": 0.25, "texture": 0.2, "trunk": 0.07, "asymmetry": 0.03}
 """Weights of the default terms: those that gave the best fits (experiments/similarities.md)."""
 
 
