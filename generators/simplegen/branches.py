@@ -7,6 +7,7 @@ import math
 import numpy as np
 from numba import njit
 
+from generators.compiling import INNER, ONCE
 from generators.simplegen.chunk import (
     CHUNK,
     DX,
@@ -27,7 +28,7 @@ from generators.simplegen.chunk import (
     put_wood,
 )  # fmt: skip
 from generators.simplegen.crown import kept
-from generators.simplegen.directions import INNER, ONCE, aside
+from generators.simplegen.directions import aside
 from generators.simplegen.rules import CHILD
 from treefit.plant.streams import child_key, circle, two
 

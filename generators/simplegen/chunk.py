@@ -7,7 +7,8 @@ import math
 import numpy as np
 from numba import njit
 
-from generators.simplegen.directions import INNER, unit
+from generators.compiling import INNER
+from generators.simplegen.directions import unit
 from generators.simplegen.rules import STEM_FIELDS, SWAY
 from treefit.plant.streams import child_key, two
 

@@ -3,22 +3,11 @@
 from __future__ import annotations
 
 import math
-from typing import Any
 
 import numpy as np
 from numba import njit
 
-FAST: dict[str, Any] = {
-    "cache": True, "nogil": True, "error_model": "numpy", "fastmath": {"contract", "nsz", "arcp"},
-    "no_cfunc_wrapper": True,
-}  # fmt: skip
-"""Settings of the kernels of SimpleGen."""
-
-INNER: dict[str, Any] = {**FAST, "cache": False, "no_cpython_wrapper": True}
-"""The same for kernels that only kernels call: half the time to compile."""
-
-ONCE: dict[str, Any] = {**INNER, "inline": "always"}
-"""The same for the few long kernels with one caller: code is then made once, not once for each caller above."""
+from generators.compiling import INNER
 
 _ZERO, _ONE, _HALF, _TINY = np.float32(0.0), np.float32(1.0), np.float32(0.5), np.float32(1e-12)
 _SHORT = np.float32(1e-6)

@@ -14,7 +14,7 @@ from generators.simplegen.crown import KNOTS, broken_line
 from generators.simplegen.growth import Scratch, grow
 from generators.simplegen.parameters import FIXED, LEVELS, NEUTRAL, SPACE
 from generators.simplegen.rules import LeafRule, LevelRule
-from treefit.plant import Budget, ParameterSpace, Plant, Value, Values
+from treefit.plant import Budget, ParameterSpace, Plant, Preset, Value, Values
 from treefit.plant.streams import seed_key
 
 SHORTEST = 0.002  # of the trunk; shorter branches do not grow
@@ -38,6 +38,7 @@ class SimpleGen:
     version: ClassVar[str] = "2"
     parallel: ClassVar[str] = "threads"
     size_parameter: ClassVar[str | None] = "branch_len_0"
+    presets: ClassVar[Mapping[str, Preset]] = {}
 
     def __post_init__(self) -> None:
         self.space  # noqa: B018 - names and values in `fixed` are checked at the border

@@ -7,8 +7,9 @@ import math
 import numpy as np
 from numba import njit
 
+from generators.compiling import INNER, ONCE
 from generators.simplegen.chunk import CHUNK, FREE, JOINT, MADE, PICKED, SPIN, STEP_X, STEP_Y, STEP_Z, X, Y, Z, copy
-from generators.simplegen.directions import INNER, ONCE, frame, unit
+from generators.simplegen.directions import frame, unit
 from generators.simplegen.rules import LEAF
 from treefit.plant.streams import child_key, circle, two
 

@@ -7,8 +7,9 @@ import math
 import numpy as np
 from numba import njit
 
+from generators.compiling import INNER
 from generators.simplegen.crown import DEPTH, KEEP, TURN, reach
-from generators.simplegen.directions import INNER, aside, unit
+from generators.simplegen.directions import aside, unit
 from generators.simplegen.rules import CHILD, SWAY
 from treefit.plant.streams import child_key, circle, two
 

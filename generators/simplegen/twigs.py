@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numba import njit
 
+from generators.compiling import ONCE
 from generators.simplegen.chunk import CHUNK, advance, load, put_wood
-from generators.simplegen.directions import ONCE
 from generators.simplegen.leaves import put_leaves
 
 

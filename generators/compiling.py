@@ -1,0 +1,17 @@
+"""Compiling: how numba compiles the kernels of the generators."""
+
+from __future__ import annotations
+
+from typing import Any
+
+FAST: dict[str, Any] = {
+    "cache": True, "nogil": True, "error_model": "numpy", "fastmath": {"contract", "nsz", "arcp"},
+    "no_cfunc_wrapper": True,
+}  # fmt: skip
+"""Kernels that Python calls."""
+
+INNER: dict[str, Any] = {**FAST, "cache": False, "no_cpython_wrapper": True}
+"""The same for kernels that only kernels call: half the time to compile."""
+
+ONCE: dict[str, Any] = {**INNER, "inline": "always"}
+"""The same for the few long kernels with one caller: code is then made once, not once for each caller above."""
