@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
+from typing import cast
 
 from hydra import compose, initialize_config_dir
 from hydra._internal.core_plugins.basic_sweeper import BasicSweeper
@@ -18,9 +19,12 @@ from omegaconf.errors import OmegaConfBaseException
 
 from experiments import names  # noqa: F401  the configuration needs its resolver
 from experiments.build import build
-from experiments.errors import UserError, did_you_mean, one_line
+from experiments.errors import UserError, blame, did_you_mean, one_line
+from experiments.preset import find_preset
 from experiments.run_folder import settle
-from experiments.settings import TASKS, read_settings
+from experiments.settings import TASKS, Settings, read_settings
+from experiments.sheet_values import choose
+from treefit.plant import Generator
 
 CONFIG_FOLDER = Path(__file__).parents[1] / "conf"
 
@@ -51,12 +55,27 @@ def _composed(settings: Sequence[str], sweep: bool) -> Iterator[tuple[list[Overr
 
 def _check_values(overrides: list[Override], cfg: DictConfig) -> None:
     settled = settle(cfg, [override.input_line or "" for override in overrides])
-    task = read_settings(settled).task
+    settings = read_settings(settled)
+    task = settings.task
     touched = {override.key_or_group.partition(".")[0] for override in overrides}
     for group in sorted(settled, key=lambda group: group not in touched):  # what the user set is told first
         node = settled[group]
         if OmegaConf.is_dict(node) and "_target_" in node and (group in TASKS[task] or group in touched):
             build(node, str(group))
+    _check_of_generator(settled, settings)
+
+
+def _check_of_generator(cfg: DictConfig, settings: Settings) -> None:
+    """Raise UserError for what only the generator knows: its presets, the names and values of its parameters."""
+    chosen = settings.sheet.names if settings.task == "sheet" else None
+    if settings.preset is None and chosen is None and not settings.values:
+        return
+    generator = cast(Generator, build(cfg.generator, "generator"))
+    if settings.preset is not None:
+        find_preset(settings.preset, generator)
+    choose(generator.space, chosen)
+    with blame("values"):
+        generator.space.complete(settings.values)
 
 
 def _parse(settings: Sequence[str], loader: ConfigLoader) -> list[Override]:

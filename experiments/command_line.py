@@ -14,6 +14,9 @@ from experiments.pictures import is_file
 FILE_KEYS = ("image", "preset", "mask.path")
 FOLDER_KEYS = ("resume", "hydra.run.dir", "hydra.sweep.dir", "tracking.uri")
 PATTERN_KEYS = ("similarities.masks",)
+OPEN_KEYS = ("values", "generator.fixed")
+"""Tables that may be given any name; Hydra wants a plus for one that is not in the configuration yet."""
+
 KEPT_ON_RESUME = ("resume", "debug", "tracking", "evaluator", "stop", "hydra")
 """Settings that a resumed run may be given: none of them changes what the search would have found."""
 
@@ -59,6 +62,8 @@ def _key(argument: str) -> str:
 
 def _prepare_one(argument: str, sweep: bool) -> str:
     match, key = _SETTING.fullmatch(argument), _key(argument)
+    if key.startswith(tuple(f"{table}." for table in OPEN_KEYS)) or key in OPEN_KEYS:
+        return f"++{argument.lstrip('+')}"
     if not match or key not in FILE_KEYS + FOLDER_KEYS + PATTERN_KEYS:
         return argument
     value = match["value"]

@@ -4,19 +4,17 @@ from __future__ import annotations
 
 import json
 import logging
-from pathlib import Path
 from typing import cast
 
 import numpy as np
-from hydra.core.hydra_config import HydraConfig
-from omegaconf import DictConfig, OmegaConf
+from omegaconf import DictConfig
 from PIL import Image
 
 from experiments.build import build
-from experiments.errors import UserError, blame
+from experiments.preset import wanted_plant
 from experiments.run_folder import run_folder
-from treefit.asset import AssetSettings, picture, read_preset, write_glb, write_preset
-from treefit.plant import Budget, Generator, Plant, Value, check_plant
+from treefit.asset import AssetSettings, picture, write_glb
+from treefit.plant import Budget, Generator, Plant, check_plant, write_preset
 from treefit.plant.extent import extent_of
 
 BUDGET = Budget(vertices=500_000, leaves=1_000_000)
@@ -28,7 +26,7 @@ def run(cfg: DictConfig) -> None:
     """Grow cfg.generator from cfg.preset and cfg.values; write its files and print one JSON line last."""
     generator, folder = cast(Generator, build(cfg.generator, "generator")), run_folder()
     asset = cast(AssetSettings, build(cfg.asset, "asset"))
-    values, seed = _wanted(cfg, generator)
+    values, seed = wanted_plant(cfg, generator)
     plant = generator(values, seed, BUDGET)
     check_plant(plant)
     if plant.cut:
@@ -57,22 +55,3 @@ def describe(plant: Plant) -> dict[str, object]:
         "vertices": plant.n_vertices, "leaves": plant.n_leaves, "stems_by_level": stems.tolist(),
         "height_m": extent.height, "width_m": extent.width, "trunk_radius_m": float(plant.radius[0]), "cut": plant.cut,
     }  # fmt: skip
-
-
-def _wanted(cfg: DictConfig, generator: Generator) -> tuple[dict[str, Value], int]:
-    """Values by name and seed: those of the preset, then what the command line sets."""
-    given = cast(dict[str, Value], OmegaConf.to_container(cfg["values"], resolve=True))
-    seed = int(cfg.seed)
-    if cfg.preset is not None:
-        with blame("preset"):
-            preset = read_preset(Path(cfg.preset))
-        if preset.generator != generator.name:
-            raise UserError(f"preset: it was made by {preset.generator}; add generator={preset.generator}")
-        if preset.version != generator.version:
-            _log.warning("the preset is of version %s of %s, this is %s: the tree may differ", preset.version,
-                         generator.name, generator.version)  # fmt: skip
-        given = {**preset.values, **given}
-        if not any(line.startswith("seed=") for line in HydraConfig.get().overrides.task):
-            seed = preset.seed
-    with blame("values"):
-        return generator.space.complete(given), seed

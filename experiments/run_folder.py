@@ -10,7 +10,7 @@ from hydra.types import RunMode
 from omegaconf import DictConfig, OmegaConf
 
 from experiments.errors import UserError
-from experiments.pictures import find_file
+from experiments.pictures import find_file, is_file
 
 CHANGED_ON_RESUME = ("tracking", "evaluator", "stop", "debug")
 
@@ -42,7 +42,7 @@ def settle(cfg: DictConfig, given: Sequence[str]) -> DictConfig:
     OmegaConf.set_struct(settled, True)
     for group, key in (("", "image"), ("", "preset"), ("mask", "path")):
         node = settled[group] if group else settled
-        if node.get(key):
+        if node.get(key) and (key != "preset" or is_file(str(node[key]))):  # else it is one of the generator's own
             node[key] = str(find_file(str(node[key]), f"{group}.{key}".strip(".")))
     return settled
 

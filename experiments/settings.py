@@ -28,6 +28,7 @@ TASKS = {
     "fit": GROUPS,
     "mask": ("mask",),
     "grow": ("generator", "asset"),
+    "sheet": ("generator", "asset"),
     "benchmark": ("generator", "similarity", "view"),
     "fidelity": ("generator", "similarity", "view"),
     "speed_study": ("generator", "view"),
@@ -114,6 +115,16 @@ class Similarities:
         return names
 
 
+@dataclass(frozen=True, config=ConfigDict(extra="forbid"))
+class Sheet:
+    """What the task sheet draws: parameters by `names`, all when None; presets on `seeds` seeds; `height` of a cell."""
+
+    names: Annotated[tuple[Name, ...], Field(min_length=1)] | None = None
+    seeds: Annotated[int, Field(ge=0, le=12)] = 3
+    look: Literal["shaded", "mask", "both"] = "both"
+    height: Annotated[int, Field(ge=64, le=512)] = 150
+
+
 @dataclass(frozen=True)
 class Settings:
     """Values of the run itself; files are names as the user gave them."""
@@ -132,6 +143,7 @@ class Settings:
     benchmark: Benchmark = Benchmark()
     speed_study: SpeedStudy = SpeedStudy()
     similarities: Similarities = field(default_factory=Similarities)
+    sheet: Sheet = field(default_factory=Sheet)
 
     @field_validator("task")
     @classmethod

@@ -5,15 +5,18 @@ from __future__ import annotations
 import logging
 import shlex
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from threading import Timer
 from types import TracebackType
+from typing import TypeVar
 
 from rich.console import Console
-from rich.progress import BarColumn, MofNCompleteColumn, TextColumn
+from rich.progress import BarColumn, MofNCompleteColumn, TextColumn, track
 from rich.progress import Progress as Bar
 from rich.table import Table
+
+Item = TypeVar("Item")
 
 SECONDS_BETWEEN_LINES = 10.0
 """How often a line is printed where no bar can be drawn."""
@@ -69,6 +72,20 @@ class Progress:
     def _explain_silence(self) -> None:
         line = "growing the first trees; the first run on a machine also compiles its kernels, some 25 s"
         self.console.print(line, highlight=False, soft_wrap=True)
+
+
+def counted(items: Sequence[Item], what: str, console: Console | None = None) -> Iterator[Item]:
+    """Yield `items`, with a live bar on a terminal, and now and then a line "12 of 40 parameters" elsewhere."""
+    console = console or Console(stderr=True)
+    if console.is_terminal:
+        yield from track(items, what, console=console, transient=True)
+        return
+    next_line = time.monotonic() + SECONDS_BETWEEN_LINES
+    for i, item in enumerate(items):
+        if time.monotonic() >= next_line:
+            next_line = time.monotonic() + SECONDS_BETWEEN_LINES
+            console.print(f"{i} of {len(items)} {what}", highlight=False)
+        yield item
 
 
 def time_left(evaluations: int, rate: float) -> str:

@@ -20,12 +20,11 @@ from treefit.asset import (
     gallery,
     picture,
     write_glb,
-    write_preset,
     write_viewer,
 )
 from treefit.candidates import Candidate
 from treefit.image import write_mask
-from treefit.plant import Generator
+from treefit.plant import Generator, write_preset
 
 
 def write_candidates(

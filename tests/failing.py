@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from typing import ClassVar
 
 import numpy as np
 
 from generators.simplegen import SimpleGen
-from treefit.plant import Budget, ParameterSpace, Plant, Values
+from treefit.plant import Budget, ParameterSpace, Plant, Preset, Values
 
 
 @dataclass(frozen=True)
@@ -21,6 +23,7 @@ class Failing:
     name: str = "failing"
     version: str = "1"
     size_parameter: str | None = "branch_len_0"
+    presets: ClassVar[Mapping[str, Preset]] = {}
 
     @property
     def space(self) -> ParameterSpace:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import ClassVar
 
 import numpy as np
 import pytest
@@ -13,7 +14,7 @@ from tests.conftest import blob
 from treefit.candidates import REPORT_HEIGHT, judge
 from treefit.fit import aim
 from treefit.objective import Objective
-from treefit.plant import Budget, Generator, ParameterSpace, Plant, Value
+from treefit.plant import Budget, Generator, ParameterSpace, Plant, Preset, Value
 from treefit.plant.characteristics import Characteristics
 from treefit.similarity import PaperSimilarity
 from treefit.similarity.measures import agreement, mean_agreement
@@ -30,6 +31,7 @@ class OneSeed:
     version: str = "1"
     parallel: str = "threads"
     size_parameter: str | None = None
+    presets: ClassVar[Mapping[str, Preset]] = {}
     space: ParameterSpace = field(default_factory=lambda: SimpleGen().space)
 
     def __call__(self, values: Mapping[str, Value], seed: int, budget: Budget) -> Plant:

@@ -1,11 +1,11 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 import pytest
@@ -16,11 +16,13 @@ from tests.failing import Failing
 from treefit.checkpoint import CheckpointError, read_checkpoint
 from treefit.evaluation import Batch, Evaluator
 from treefit.fit import Result, SearchError, Stop, fit
-from treefit.objective import Objective
-from treefit.plant import Generator
+from treefit.objective import Objective, Score
+from treefit.plant import Generator, Preset, Value
 from treefit.plant.characteristics import Characteristics
 from treefit.progress import Failure, Generation
 from treefit.search import RandomSearch, Strategy, TreeGA
+from treefit.search.optimizer import Genomes, Scores
+from treefit.search.start import Start
 from treefit.view import OrthographicView
 
 TARGET = blob(256, 256)
@@ -107,6 +109,59 @@ def test_a_checkpoint_of_another_search_is_refused(tmp_path: Path) -> None:
     small(checkpoint=tmp_path / "c.npz")
     with pytest.raises(CheckpointError, match="another picture, generator, seed or settings"):
         small(checkpoint=tmp_path / "c.npz", seed=1)
+
+
+def preset(**values: Value) -> Preset:
+    return Preset("simplegen", SimpleGen.version, 0, values)
+
+
+class Nursery(SimpleGen):
+    """SimpleGen with presets."""
+
+    presets: ClassVar[Mapping[str, Preset]] = {"oak": preset(wobble=0.11), "pine": preset(wobble=0.22)}
+
+
+class Listening(Evaluator):
+    """Evaluator that keeps the genomes of every batch."""
+
+    heard: ClassVar[list[np.ndarray]] = []
+
+    @contextmanager
+    def started(self, objective: Objective) -> Iterator[Batch]:
+        with super().started(objective) as batch:
+
+            def listen(genomes: Genomes, floors: Scores) -> list[Score]:
+                self.heard.append(genomes)
+                return batch(genomes, floors)
+
+            yield listen
+
+
+@pytest.mark.parametrize(("start", "asked"), [("random", 0), ("presets", 1), ("mixed", 1)])
+def test_a_search_begins_from_the_presets_of_the_generator(start: Start, asked: int) -> None:
+    Listening.heard.clear()
+    small(Nursery(), optimizer=replace(GA, start=start), evaluator=Listening("serial"))
+    for plant in Nursery.presets.values():
+        genome = Nursery().space.encode(plant.values)
+        assert (Listening.heard[0] == genome).all(axis=1).sum() == asked
+
+
+def test_a_killed_search_from_presets_goes_on_to_the_same_end_but_not_from_others(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    with pytest.raises(KeyboardInterrupt):
+        small(Nursery(), checkpoint=tmp_path / "c.npz", on_generation=kill)
+    with monkeypatch.context() as patch:
+        patch.setattr(Nursery, "presets", {**Nursery.presets, "yew": preset(wobble=0.33)})
+        with pytest.raises(CheckpointError, match="belongs to a search with another"):
+            small(Nursery(), checkpoint=tmp_path / "c.npz")
+    assert genomes(small(Nursery(), checkpoint=tmp_path / "c.npz")) == genomes(small(Nursery()))
+
+
+def test_a_preset_with_a_parameter_that_the_generator_lacks_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(Nursery, "presets", {"oak": preset(), "yew": preset(wobbel=0.1)})
+    with pytest.raises(ValueError, match=r"preset 'yew' of generator 'simplegen': no parameter 'wobbel'.*'wobble'"):
+        small(Nursery())
 
 
 def test_the_search_stops_at_a_score() -> None:

@@ -23,6 +23,7 @@ from treefit.plant import Budget, Generator
 from treefit.plant.characteristics import Characteristics
 from treefit.progress import Failure, Generation, Progress
 from treefit.search import CMAES, Optimizer, Strategy
+from treefit.search.optimizer import Genomes
 from treefit.similarity import Mix, Similarity
 from treefit.view import BitMask, OrthographicView, frame_for, sample
 
@@ -98,10 +99,11 @@ def fit(
     objective = aim(mask, generator, similarity or Mix(), characteristics or Characteristics(),
                     view or OrthographicView(), seed, budget)  # fmt: skip
     strategy = optimizer or CMAES()
-    search = strategy.start(len(objective.space), seed)
+    known = _known(objective)
+    search = strategy.begin(len(objective.space), seed, known)
     with threadpool_limits(1, "blas"):  # its threads would fight with the evaluator's, and sum in another order
         progress = _search(objective, search, evaluator or Evaluator(), stop or Stop(), checkpoint, on_generation,
-                           _fingerprint(objective, mask, strategy))  # fmt: skip
+                           _fingerprint(objective, mask, strategy, known))  # fmt: skip
     genomes, _ = search.best(16 * candidates)
     chosen = choose(objective, list(genomes), candidates, min_distance)
     found = [judge(objective, genome, mask, other_seeds) for genome in chosen]
@@ -122,6 +124,17 @@ def aim(
         wanted = characteristics.vertices
         budget = Budget() if wanted is None else Budget(max(4 * wanted, 100), max(8 * wanted, 200))
     return Objective(generator, space, view, frame, similarity, target, characteristics, seed, budget)
+
+
+def _known(objective: Objective) -> Genomes:
+    """Genomes (m, n) of the generator's presets; ValueError for one with a parameter that the generator lacks."""
+    space, known = objective.space, np.empty((0, len(objective.space)))
+    for name, preset in objective.generator.presets.items():
+        try:
+            known = np.vstack([known, space.encode(preset.values)])
+        except ValueError as error:
+            raise ValueError(f"preset {name!r} of generator {objective.generator.name!r}: {error}") from None
+    return known
 
 
 def _search(
@@ -168,10 +181,11 @@ def _enough(progress: Progress, stop: Stop) -> bool:
     )
 
 
-def _fingerprint(objective: Objective, mask: Mask, strategy: Strategy) -> str:
+def _fingerprint(objective: Objective, mask: Mask, strategy: Strategy, known: Genomes) -> str:
     """Hash of everything that the course of the search depends on."""
     settings = (
         objective.generator.name, objective.generator.version, objective.space, objective.view, objective.frame,
         objective.similarity, objective.characteristics, objective.seed, objective.budget, strategy, mask.shape,
+        known.shape,
     )  # fmt: skip
-    return hashlib.sha256(repr(settings).encode() + mask.tobytes()).hexdigest()
+    return hashlib.sha256(repr(settings).encode() + mask.tobytes() + known.tobytes()).hexdigest()

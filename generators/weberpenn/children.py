@@ -8,7 +8,7 @@ import numpy as np
 from numba import njit
 
 from generators.compiling import INNER
-from generators.weberpenn.rules import CHILD
+from generators.weberpenn.rules import CHILD, COUNTED
 from generators.weberpenn.shapes import shape_ratio, unit_taper
 from generators.weberpenn.stems import (
     BACK,
@@ -44,9 +44,12 @@ _0_2, _0_5, _0_6, _0_8, _1_6 = (np.float32(x) for x in (0.2, 0.5, 0.6, 0.8, 1.6)
 
 
 @njit(**INNER)
-def count_children(rule, level, leafy, block, count):
-    """How many children the stems of a block should have, whole numbers (sec. 4.3 and 4.6)."""
-    most, fan = np.float32(rule.children), rule.children < 0
+def count_children(rule, level, leafy, block, keys, count):
+    """How many children the stems of a block should have, whole numbers (sec. 4.3 and 4.6).
+
+    Stems are rounded down; of leaves, which may be few, a share of the stems has one more, so that the mean is exact.
+    """
+    most = np.float32(rule.children)
     for s in range(count):
         share = _ONE
         if leafy:
@@ -55,14 +58,11 @@ def count_children(rule, level, leafy, block, count):
             share = _0_2 + _0_8 * block[FILL + s]
         elif level > 1:
             share = _ONE - _0_5 * block[BEGIN + s]
-        number = abs(most) * share
-        block[COUNT + s] = -_whole(number) if fan else _whole(number)
+        number = abs(most) * share + _SMALL
+        if leafy:
+            number += two(child_key(keys[s], COUNTED))[0]
+        block[COUNT + s] = math.copysign(np.float32(math.floor(number)), most)
         block[MADE + s] = _HALF
-
-
-@njit(**INNER)
-def _whole(number):
-    return np.float32(math.floor(number + _SMALL))
 
 
 @njit(**INNER)

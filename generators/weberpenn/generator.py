@@ -12,12 +12,16 @@ import numpy as np
 
 from generators.weberpenn.growth import Scratch, grow
 from generators.weberpenn.parameters import FULL, LEVELS
+from generators.weberpenn.ranges import TAMED
 from generators.weberpenn.rules import LevelRule, TreeRule
 from treefit.plant import Budget, Look, ParameterSpace, Plant, Value, Values
 from treefit.plant.preset import Preset, read_presets
 from treefit.plant.streams import child_key, seed_key, two
 
 SPECIES = Path(__file__).parent / "species"
+
+SMALLEST = 0.2
+"""Share of `scale` that a tree is high at least: the black oak's is 10 m, give or take 10."""
 
 _SCRATCH = Scratch()
 _TURN = 1.0 / 360.0
@@ -38,7 +42,7 @@ class WeberPennGen:
     @cached_property
     def space(self) -> ParameterSpace:
         """Parameters that the generator takes."""
-        return FULL.fix(**self.fixed)
+        return (FULL if self.full else TAMED).fix(**self.fixed)
 
     @cached_property
     def presets(self) -> Mapping[str, Preset]:
@@ -62,7 +66,7 @@ class WeberPennGen:
 
 def _tree_rule(v: Mapping[str, Any], u1: float, u2: float, u3: float, _: float) -> TreeRule:
     """Rule of the whole tree; the draws in [0, 1) vary height, length and radius of the trunk."""
-    height = v["scale"] + v["scale_v"] * (2 * u1 - 1)
+    height = max(v["scale"] + v["scale_v"] * (2 * u1 - 1), SMALLEST * v["scale"])
     length = max(v["length_0"] + v["length_v_0"] * (2 * u2 - 1), 0.05) * height
     radius = length * v["ratio"] * max(v["scale_0"] + v["scale_v_0"] * (2 * u3 - 1), 0.05)
     return TreeRule(

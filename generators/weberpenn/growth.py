@@ -10,7 +10,7 @@ from numba import njit
 from numba.np.unsafe.ndarray import to_fixed_tuple
 from numpy.typing import NDArray
 
-from generators.compiling import FAST, INNER
+from generators.compiling import FAST, INNER, ONCE
 from generators.weberpenn.children import count_children, pick, put_stems
 from generators.weberpenn.leaves import WORK, put_leaves
 from generators.weberpenn.pruning import prune
@@ -91,7 +91,8 @@ def grow(told, key, scratch, picks, numbers, integers, leaves):
     children = Stems(stem_numbers[1], stem_vertices[1], stem_keys[1])
     trial = Stems(stem_numbers[2], stem_vertices[2], stem_keys[2])
     _begin(tree, stems, key)
-    levels, m, n, k, cut = int(tree.levels), 1, 0, 0, False
+    none = np.int64(0)  # not a literal: each literal argument would be compiled once more
+    levels, m, n, k, cut = int(tree.levels), none + 1, none, none, False
     for level in range(levels):
         start = _TREE + level * _LEVEL
         rule = LevelRule(*_fixed(told[start : start + _LEVEL], _LEVEL))
@@ -119,13 +120,13 @@ def _begin(tree, stems, key):
     stems.keys[0, 0] = child_key(key, 1)
 
 
-@njit(**INNER)
+@njit(**ONCE)
 def _grow_level(rule, tree, level, leafy, stems, m, wood, n, picks, children, leaves, k):
     """Grow the first `m` stems of a level; return (children, vertices, leaves, whether the budget cut it)."""
     count = np.int64(0)
     for b in range((m + BLOCK - 1) // BLOCK):
         width = min(BLOCK, m - b * BLOCK)
-        count_children(rule, level, leafy, stems.numbers[b], width)
+        count_children(rule, level, leafy, stems.numbers[b], stems.keys[b], width)
         n, cut = put_bases(tree, level, wood, n, stems.numbers[b], stems.vertices[b], width)
         if cut:
             return count, n, k, True
@@ -159,13 +160,13 @@ def _grow_level(rule, tree, level, leafy, stems, m, wood, n, picks, children, le
     return count, n, k, False
 
 
-@njit(**INNER)
+@njit(**ONCE)
 def _put_children(rule, tree, level, leafy, low, high, stems, b, width, picks, children, count, leaves, k):
     """Put the children of a block between two shares of its length; return (stems, leaves, whether one was cut)."""
-    block, picked, last, cut = stems.numbers[b], 0, high >= _ONE, False
+    block, picked, last, cut = stems.numbers[b], np.int64(0), high >= _ONE, False
     work, owners, keys = picks
     for s in range(width):
-        child = 0
+        child = np.int64(0)
         while True:
             picked, child = pick(rule, stems.keys[b, s], low, high, last, block, s, child, work, owners, keys, picked)
             if child > 0 or s == width - 1:
@@ -175,7 +176,7 @@ def _put_children(rule, tree, level, leafy, low, high, stems, b, width, picks, c
                     count, cut = put_stems(
                         rule, tree, level, high, stems, b, picked, work, owners, keys, children, count
                     )
-                picked = 0
+                picked = np.int64(0)
             if cut:
                 return count, k, True
             if child == 0:

@@ -84,7 +84,7 @@ def _child(n: int) -> tuple[Parameter, ...]:
         _number(f"rotate_{n}", -180, 180, turn, "deg",
                 f"turn around {parent} from one child to the next; below 0 both sides in turn (sec. 4.3)"),
         _number(f"rotate_v_{n}", 0, 90, 0, "deg", "variation of it (sec. 4.3)"),
-        _number(f"branches_{n}", 0, 250, number, "1", f"most children of {parent} (sec. 4.3)"),
+        _number(f"branches_{n}", 0, 300, number, "1", f"most children of {parent} (sec. 4.3)"),
         _number(f"length_{n}", 0.02, 2, length, "share", f"longest child by the length of {parent} (sec. 4.3)"),
         *_every(n),
         _number(f"radius_mod_{n}", 0.1, 1, 1, "1", "factor of the radius"),

@@ -30,10 +30,10 @@ def prune(rule, tree, level, stems, m, trial, scales):
         for b in range((count + BLOCK - 1) // BLOCK):
             width = min(BLOCK, count - b * BLOCK)
             block = trial.numbers[b]
-            advance(rule, level, segment, step, True, tree.attraction, block, trial.keys[b], width)
+            advance(rule, level, segment, step, segment > 0, tree.attraction, block, trial.keys[b], width)
             _fit(tree, stems, block, trial.vertices[b], width, scales)
         if segment < int(rule.segments):
-            count, _ = split(rule, level, 0, segment, trial, count)
+            count, _ = split(rule, level, np.int64(0), segment, trial, count)
     for s in range(m):
         block, at = stems.numbers[s // BLOCK], s % BLOCK
         kept = _ONE - np.float32(tree.prune_ratio) * (_ONE - scales[s])

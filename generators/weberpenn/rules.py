@@ -53,5 +53,5 @@ class TreeRule(NamedTuple):
     leaf_bend: float
 
 
-SEGMENT, SPLIT, CHILD = 1, 48, 96
-"""First numbers of the keyed draws of a stem: of its segments, of its clones and of its children."""
+COUNTED, SEGMENT, SPLIT, CHILD = 40, 1, 48, 96
+"""Numbers of the keyed draws of a stem: of the count of its leaves; the first of its segments, clones and children."""

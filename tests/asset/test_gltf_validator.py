@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 
 from treefit.asset.glb import write_glb
-from treefit.asset.leaf_outline import SHAPES
 from treefit.asset.settings import AssetSettings
+from treefit.plant import LEAF_SHAPES, Look
 
 HERE = Path(__file__).parent
 
@@ -43,8 +43,8 @@ def without_leaves(tree):
 
 
 def test_every_leaf_outline_passes_without_errors_and_warnings(tree, tmp_path):
-    paths, counts = [tmp_path / f"{shape}.glb" for shape in SHAPES], []
-    for shape, path in zip(SHAPES, paths, strict=True):
+    paths, counts = [tmp_path / f"{shape}.glb" for shape in LEAF_SHAPES], []
+    for shape, path in zip(LEAF_SHAPES, paths, strict=True):
         counts.append(write_glb(tree, path, AssetSettings(leaf_outline=shape)))
     for report, count in zip(reports(*paths), counts, strict=True):
         issues = report["issues"]
@@ -56,4 +56,10 @@ def test_every_leaf_outline_passes_without_errors_and_warnings(tree, tmp_path):
 def test_a_bare_tree_passes_without_errors_and_warnings(tree, tmp_path):
     write_glb(without_leaves(tree), tmp_path / "bare.glb", AssetSettings(sides=3))
     issues = reports(tmp_path / "bare.glb")[0]["issues"]
+    assert (issues["numErrors"], issues["numWarnings"]) == (0, 0), issues["messages"]
+
+
+def test_a_lobed_trunk_passes_without_errors_and_warnings(tree, tmp_path):
+    write_glb(dataclasses.replace(tree, look=Look(5, 0.1, "tuft")), tmp_path / "lobed.glb", AssetSettings())
+    issues = reports(tmp_path / "lobed.glb")[0]["issues"]
     assert (issues["numErrors"], issues["numWarnings"]) == (0, 0), issues["messages"]

@@ -2,32 +2,11 @@ import dataclasses
 
 import numpy as np
 import pytest
-import trimesh
 
-from treefit.asset.leaf_outline import SHAPES
-from treefit.asset.mesh import Mesh, branch_meshes, leaf_mesh
+from tests.asset.bodies import areas, solid, wood
+from treefit.asset.mesh import branch_meshes, leaf_mesh
 from treefit.asset.stems import stems_of
-from treefit.plant import Plant
-
-
-def wood(position, radius, parent, level):
-    none = np.zeros((0, 3), np.float32)
-    return Plant(
-        np.array(position, np.float32), np.array(radius, np.float32), np.array(parent, np.int32),
-        np.array(level, np.int32), none, none, none, np.zeros((0, 2), np.float32),
-    )  # fmt: skip
-
-
-def solid(mesh: Mesh) -> trimesh.Trimesh:
-    """Return the mesh with its seams sewn up."""
-    body = trimesh.Trimesh(mesh.vertices, mesh.faces, process=False)
-    body.merge_vertices(merge_tex=True, merge_norm=True)
-    return body
-
-
-def areas(mesh: Mesh) -> np.ndarray:
-    a, b, c = mesh.vertices[mesh.faces].astype(float).transpose(1, 0, 2)
-    return np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2
+from treefit.plant import LEAF_SHAPES
 
 
 def test_trunk_and_branches_are_closed_bodies_with_outward_faces(tree):
@@ -58,36 +37,12 @@ def test_normals_of_the_walls_point_outwards(tree):
     assert (((mesh.vertices - nearest) * mesh.normals).sum(axis=1) > 0).all()
 
 
-def test_frames_do_not_twist(tree):
-    stems = stems_of(tree)
-    turned = (stems.side[1:] * stems.side[:-1]).sum(axis=1)
-    bent = (stems.tangent[1:] * stems.tangent[:-1]).sum(axis=1)
-    inside = np.setdiff1d(np.arange(len(turned)), stems.first[1:-1] - 1)
-    assert (turned[inside] >= bent[inside] - 1e-6).all()
-
-
-def test_a_branch_begins_at_its_parent_vertex_with_its_own_radius():
-    fork = wood(
-        [[0, 0, 0], [0, 0, 1], [0, 0, 2], [0.5, 0, 1.5], [0.8, 0, 1.8]],
-        [0.2, 0.15, 0.1, 0.06, 0.03], [-1, 0, 1, 1, 3], [0, 0, 0, 1, 1],
-    )  # fmt: skip
-    stems = stems_of(fork)
-    start = stems.first[1]
-    np.testing.assert_allclose(stems.centre[start], [0, 0, 1])
-    np.testing.assert_allclose(stems.radius[start : start + 3], [0.06, 0.06, 0.03], rtol=1e-6)
-
-
 def test_a_fork_of_one_level_tapers_from_its_parents_radius():
     fork = wood([[0, 0, 0], [0, 0, 1], [0, 0, 2], [1, 0, 2]], [0.2, 0.1, 0.05, 0.05], [-1, 0, 1, 1], [0] * 4)
     stems = stems_of(fork)
     assert len(stems.level) == 2
     np.testing.assert_allclose(stems.radius[stems.first[1] :], [0.1, 0.05], rtol=1e-6)
     assert set(branch_meshes(fork)) == {"trunk"}
-
-
-def test_every_segment_is_covered_once(tree):
-    stems = stems_of(tree)
-    assert len(stems.centre) - len(stems.level) == tree.n_vertices - 1
 
 
 def test_points_that_coincide_and_radii_of_zero_are_harmless():
@@ -111,7 +66,7 @@ def test_uv_of_tubes_are_metres_along_and_around():
 
 
 @pytest.mark.parametrize("fold", [0, 25])
-@pytest.mark.parametrize("shape", SHAPES)
+@pytest.mark.parametrize("shape", LEAF_SHAPES)
 def test_every_leaf_has_the_area_of_its_ellipse(tree, shape, fold):
     mesh = leaf_mesh(tree, shape, fold)
     per_leaf = areas(mesh).reshape(tree.n_leaves, -1).sum(axis=1)
@@ -135,7 +90,7 @@ def test_too_few_sides_are_refused(tree):
 
 
 def test_an_unknown_outline_is_refused(tree):
-    with pytest.raises(ValueError, match="one of broad, round, narrow, lobed, needle, got 'oak'"):
+    with pytest.raises(ValueError, match="one of broad, round, narrow, lobed, needle, tuft, frond, got 'oak'"):
         leaf_mesh(tree, "oak")
 
 

@@ -68,7 +68,7 @@ def test_whole_evaluation(benchmark: Any, objective: Objective) -> None:
 
 
 def test_optimizer(benchmark: Any) -> None:
-    search = TreeGA().start(38, 0)
+    search = TreeGA().begin(38, 0)
 
     def step() -> None:
         search.tell(np.random.default_rng(0).random(len(search.ask())))

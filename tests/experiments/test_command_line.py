@@ -5,6 +5,7 @@ from hydra.core.override_parser.overrides_parser import OverridesParser
 from hypothesis import given
 from hypothesis import strategies as st
 
+from experiments.check import check
 from experiments.command_line import prepare, quote, split_names
 from experiments.errors import UserError
 
@@ -52,6 +53,13 @@ def test_what_hydra_can_read_already_stays(here: Path, argument: str) -> None:
 @pytest.mark.parametrize("key", ["mask.path", "preset", "hydra.run.dir", "+image"])
 def test_other_settings_that_are_paths_are_quoted_too(here: Path, key: str) -> None:
     assert values(prepare([f"{key}=a (b).png"])[0]) == ["a (b).png"]
+
+
+@pytest.mark.parametrize("argument", ["values={whorl: 4}", "values.whorl=4", "+generator.fixed.whorl=4"])
+def test_values_may_have_any_name(here: Path, argument: str) -> None:
+    (prepared,) = prepare([argument])
+    check(["task=grow", prepared], sweep=False)
+    assert prepared == "++" + argument.lstrip("+")
 
 
 def test_list_of_pictures_becomes_a_sweep(here: Path) -> None:

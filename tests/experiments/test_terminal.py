@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 from rich.console import Console
 
-from experiments.terminal import OneLine, Progress, print_results, print_sweep, time_left
+from experiments.terminal import OneLine, Progress, counted, print_results, print_sweep, time_left
 
 
 def test_progress_draws_a_bar_on_a_terminal() -> None:
@@ -69,3 +69,11 @@ def test_log_on_the_terminal_is_one_line_without_the_place_in_the_code() -> None
         trace = (type(error), error, error.__traceback__)
     record = logging.LogRecord("x", logging.ERROR, "f", 1, "two\nlines", None, trace)
     assert OneLine().format(record) == "error: two lines"
+
+
+def test_what_is_counted_comes_through_and_lines_tell_of_it_now_and_then(monkeypatch: pytest.MonkeyPatch) -> None:
+    quick, slow = io.StringIO(), io.StringIO()
+    assert list(counted(["a", "b", "c"], "letters", Console(file=quick))) == ["a", "b", "c"]
+    monkeypatch.setattr("experiments.terminal.SECONDS_BETWEEN_LINES", 0.0)
+    assert list(counted(["a", "b", "c"], "letters", Console(file=slow))) == ["a", "b", "c"]
+    assert (quick.getvalue(), slow.getvalue().splitlines()[1:]) == ("", ["1 of 3 letters", "2 of 3 letters"])

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from treefit.plant import Plant, check_plant
+from treefit.plant import LEAF_SHAPES, Look, Plant, check_plant
 
 
 def changed(plant: Plant, name: str, at: object, value: float) -> Plant:
@@ -53,3 +53,23 @@ def test_rows_are_the_same_numbers_whatever_the_layout(plants: list[Plant]) -> N
         for a, b in zip(one, two, strict=True):
             assert a.tobytes() == b.tobytes()
             assert b.flags.c_contiguous
+
+
+@pytest.mark.parametrize(
+    ("look", "message"),
+    [
+        (Look(lobes=-1), "lobes must be 0 or more, got -1"),
+        (Look(lobes=3, lobe_depth=1.0), r"lobe_depth must be in \[0, 1\), got 1.0"),
+        (Look(lobe_depth=-0.1), "lobe_depth must be in"),
+        (Look(lobe_depth=np.nan), "lobe_depth must be in"),
+        (Look(leaf_shape="oak"), "leaf_shape must be one of broad, round, .*, got 'oak'"),
+    ],
+)
+def test_what_no_mask_sees_is_checked_too(plants: list[Plant], look: Look, message: str) -> None:
+    with pytest.raises(ValueError, match=f"plant: {message}"):
+        check_plant(replace(plants[0], look=look))
+
+
+@pytest.mark.parametrize("look", [None, Look(), Look(5, 0.07, "tuft"), *(Look(leaf_shape=one) for one in LEAF_SHAPES)])
+def test_every_look_in_range_passes(plants: list[Plant], look: Look | None) -> None:
+    check_plant(replace(plants[0], look=look))

@@ -2,13 +2,16 @@ from __future__ import annotations
 
 import io
 from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from treefit.search import CMAES
-from treefit.search.cma_es import CMAESSearch, mirrored
+from treefit.search.cma_es import CMAESSearch
 from treefit.search.gaussian import around, learn, rates
+from treefit.search.operators import mirrored
+from treefit.search.start import Start
 
 SMALL = CMAES(evaluations=3000, start_share=0.1, min_population=16)
 STRETCH = 10 ** (3 * np.arange(10) / 9)  # of the axes of the bowls: the longest is a thousand times the shortest
@@ -54,7 +57,7 @@ def test_weights_fall_with_the_rank_and_those_of_the_better_half_sum_up_to_one()
 
 def test_a_peak_in_a_corner_is_found() -> None:
     corner = np.arange(8) % 2
-    search = run(SMALL.start(8, 0), lambda genomes: -((genomes - corner) ** 2).sum(axis=1) + 9)
+    search = run(SMALL.begin(8, 0), lambda genomes: -((genomes - corner) ** 2).sum(axis=1) + 9)
     assert search.best(1)[1][0] > 9 - 1e-4
 
 
@@ -67,7 +70,7 @@ def test_mirrored_folds_any_coordinate_into_the_unit_interval() -> None:
 def test_only_the_order_of_the_scores_matters() -> None:
     asked = []
     for bent in (lambda s: s, np.exp):
-        search, genomes = SMALL.start(8, 0), []
+        search, genomes = SMALL.begin(8, 0), []
         while not search.done:
             genomes.append(search.ask())
             search.tell(bent(2 - ((genomes[-1] - 0.3) ** 2).sum(axis=1)))
@@ -76,7 +79,7 @@ def test_only_the_order_of_the_scores_matters() -> None:
 
 
 def test_a_search_that_has_converged_starts_again_from_the_best_known() -> None:
-    search = SMALL.start(8, 0)
+    search = SMALL.begin(8, 0)
     while search.restarts == 0:
         search.tell(1 - ((search.ask() - 0.3) ** 2).mean(axis=1))
     assert search.gaussian is not None
@@ -85,19 +88,33 @@ def test_a_search_that_has_converged_starts_again_from_the_best_known() -> None:
 
 
 def test_the_population_follows_from_the_budget_and_the_random_start_comes_first() -> None:
-    search = SMALL.start(8, 0)
+    search = SMALL.begin(8, 0)
     sizes = []
     while not search.done:
         sizes.append(len(search.ask()))
         search.tell(np.ones(sizes[-1]))
     assert sizes[:3] == [100, 100, 100]
     assert set(sizes[3:-1]) == {16}
-    assert len(CMAES(50_000).start(8, 0).rates.good) == 52
+    assert len(CMAES(50_000).begin(8, 0).rates.good) == 52
+
+
+@pytest.mark.parametrize(("start", "count", "step"), [
+    ("random", 3, SMALL.step), ("mixed", 0, SMALL.step),
+    ("mixed", 3, SMALL.known_step), ("presets", 3, SMALL.known_step),
+])  # fmt: skip
+def test_a_first_population_led_by_known_genomes_is_followed_by_smaller_steps(
+    start: Start, count: int, step: float
+) -> None:
+    search = replace(SMALL, start=start).begin(8, 0, np.full((count, 8), 0.5))
+    while search.gaussian is None:
+        search.tell(1 - ((search.ask() - 0.3) ** 2).mean(axis=1))
+    np.testing.assert_array_equal(search.gaussian.mean, search.best(1)[0][0])
+    np.testing.assert_array_equal(search.gaussian.spread, np.full(8, step))
 
 
 @pytest.mark.parametrize("score", [0.0, 0.5])
 def test_scores_that_are_all_the_same_do_no_harm(score: float) -> None:
-    search = SMALL.start(8, 0)
+    search = SMALL.begin(8, 0)
     while not search.done:
         genomes = search.ask()
         assert 0 <= genomes.min() <= genomes.max() <= 1
@@ -106,7 +123,7 @@ def test_scores_that_are_all_the_same_do_no_harm(score: float) -> None:
 
 def test_its_state_goes_on_the_same_out_of_a_file() -> None:
     """An array comes back in the order of its bytes in the file, upon which the last bit of a product depends."""
-    one, other = CMAES(evaluations=2000).start(20, 0), CMAES(evaluations=2000).start(20, 0)
+    one, other = CMAES(evaluations=2000).begin(20, 0), CMAES(evaluations=2000).begin(20, 0)
     while one.told < 1500:
         one.tell(1 - ((one.ask() - 0.3) ** 2).mean(axis=1))
     file = io.BytesIO()
@@ -121,7 +138,9 @@ def test_its_state_goes_on_the_same_out_of_a_file() -> None:
             search.tell(1 - ((genomes - 0.3) ** 2).mean(axis=1))
 
 
-@pytest.mark.parametrize("field", ["evaluations", "start_share", "generations", "min_population", "step", "converged"])
+@pytest.mark.parametrize(
+    "field", ["evaluations", "start_share", "generations", "min_population", "step", "known_step", "converged"]
+)
 def test_settings_out_of_range_are_refused(field: str) -> None:
     with pytest.raises(ValueError, match=field):
         CMAES(**{field: -1})

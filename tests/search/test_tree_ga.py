@@ -11,7 +11,7 @@ SMALL = TreeGA(evaluations=4000, population=20, start_population=30, generations
 
 
 def test_levels_are_asked_as_one_batch_from_the_leaves_to_the_root() -> None:
-    search = SMALL.start(5, 0)
+    search = SMALL.begin(5, 0)
     nodes = []
     while not search.done:
         nodes.append(len(search.genomes))
@@ -25,7 +25,7 @@ def test_elementary_gas_do_not_depend_on_each_other() -> None:
     """The scores of one node change nothing in what another of its level asks."""
     asked = []
     for favour in (0.0, 1.0):
-        search = SMALL.start(5, 0)
+        search = SMALL.begin(5, 0)
         for _ in range(5):
             genomes = search.ask()
             nodes = len(search.genomes)
@@ -38,7 +38,7 @@ def test_elementary_gas_do_not_depend_on_each_other() -> None:
 
 
 def test_the_root_starts_from_the_fittest_of_its_children() -> None:
-    search = SMALL.start(5, 0)
+    search = SMALL.begin(5, 0)
     while search.level > 0:
         before = search.scores
         search.tell(search.ask().sum(axis=1))
@@ -48,7 +48,7 @@ def test_the_root_starts_from_the_fittest_of_its_children() -> None:
 
 def test_the_root_starts_from_the_better_half_of_two_whole_populations() -> None:
     """What is dropped early, the worse half of each population, would not have been among them."""
-    search = SMALL.start(5, 0)
+    search = SMALL.begin(5, 0)
     while search.level > 0:
         before, asked = search.scores, search.ask().sum(axis=1).reshape(len(search.scores), -1)
         search.tell(asked.ravel())
@@ -58,7 +58,7 @@ def test_the_root_starts_from_the_better_half_of_two_whole_populations() -> None
 
 @pytest.mark.parametrize("crossover", ["one_dot", "uniform"])
 def test_no_child_equals_a_survivor_or_another_child_of_its_population(crossover: str) -> None:
-    search = TreeGA(4000, 20, 30, 20, mutation_chance=0.1, crossover=crossover).start(8, 0)
+    search = TreeGA(4000, 20, 30, 20, mutation_chance=0.1, crossover=crossover).begin(8, 0)
     while not search.done:
         nodes, survivors, children = len(search.genomes), search.genomes, search.ask()
         if len(children) % nodes == 0:

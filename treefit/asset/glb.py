@@ -11,6 +11,7 @@ import trimesh
 from numpy.typing import NDArray
 from trimesh.visual.material import PBRMaterial
 
+from treefit.asset.leaf_outline import outline_of
 from treefit.asset.mesh import Mesh, branch_meshes, leaf_mesh
 from treefit.asset.paint import to_linear
 from treefit.asset.settings import AssetSettings
@@ -52,7 +53,7 @@ def plant_meshes(plant: Plant, settings: AssetSettings) -> dict[str, Mesh]:
     """Return the meshes by name ('trunk', 'branches', 'leaves') in the plant's frame, z up."""
     meshes = branch_meshes(plant, settings.sides)
     if plant.n_leaves:
-        meshes["leaves"] = leaf_mesh(plant, settings.leaf_outline, settings.leaf_fold)
+        meshes["leaves"] = leaf_mesh(plant, outline_of(settings.leaf_outline, plant.look), settings.leaf_fold)
     return meshes
 
 

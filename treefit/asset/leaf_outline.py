@@ -5,13 +5,15 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Literal, get_args
+from typing import Literal, cast
 
 import numpy as np
 from numpy.typing import NDArray
 
-Shape = Literal["broad", "round", "narrow", "lobed", "needle"]
-SHAPES: tuple[str, ...] = get_args(Shape)
+from treefit.asset.feather import Feather, frond, tuft
+from treefit.plant import LEAF_SHAPES, LeafShape, Look
+
+Outline = Literal["auto", LeafShape]
 
 # Right half from the stalk to the tip: (half width, place along the midrib); seen from the stalk the points turn
 # steadily towards the tip, so a fan from the stalk covers the half. Widths are scaled to the area of the ellipse.
@@ -34,15 +36,39 @@ class Card:
     faces: NDArray[np.int32]  # (t, 3)
 
 
-def leaf_card(shape: Shape, fold: float = 0.0) -> Card:
-    """Return the card of `shape` with area pi/4, its halves raised by `fold` degrees along the midrib."""
-    if shape not in _HALVES:
-        raise ValueError(f"leaf outline must be one of {', '.join(SHAPES)}, got {shape!r}")
+def outline_of(wanted: Outline, look: Look | None) -> LeafShape:
+    """Return the outline that is `wanted`; "auto" is that of the plant's look, "broad" when it has none."""
+    if wanted != "auto":
+        return wanted
+    return "broad" if look is None or look.leaf_shape is None else cast(LeafShape, look.leaf_shape)
+
+
+def leaf_card(shape: LeafShape, fold: float = 0.0) -> Card:
+    """Return the card of `shape` with area pi/4, its halves raised by `fold` degrees along the midrib.
+
+    The needles of a tuft stand all around its twig, fold or not.
+    """
+    if shape not in LEAF_SHAPES:
+        raise ValueError(f"leaf outline must be one of {', '.join(LEAF_SHAPES)}, got {shape!r}")
     if not 0 <= fold < 80:
         raise ValueError(f"leaf fold must be in [0, 80) degrees, got {fold}")
-    half = np.array(_HALVES[shape])
+    turn = math.radians(fold)
+    if shape == "tuft":
+        return _feathered(tuft())
+    if shape == "frond":
+        return _feathered(frond(turn))
+    return _blade(np.array(_HALVES[shape]), turn)
+
+
+def _feathered(feather: Feather) -> Card:
+    place, normal, uv = (part.astype(np.float32) for part in feather.corners())
+    return Card(place, normal, uv, feather.faces().astype(np.int32))
+
+
+def _blade(half: NDArray[np.float64], turn: float) -> Card:
+    """Two fans from the stalk, one a half."""
     half[:, 0] *= math.pi / 8 / _half_area(half)
-    n, turn = len(half), math.radians(fold)
+    n = len(half)
     x = np.concatenate([[0, 0], half[:, 0], -half[:, 0]])
     y = np.concatenate([[0, 1], half[:, 1], half[:, 1]])
     place = np.column_stack([x * math.cos(turn), y, np.abs(x) * math.sin(turn)])

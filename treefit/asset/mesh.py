@@ -7,9 +7,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from treefit.asset.leaf_outline import Shape, leaf_card
+from treefit.asset.leaf_outline import leaf_card
+from treefit.asset.lobes import Lobes, lobes_of
 from treefit.asset.stems import Stems, stems_of
-from treefit.plant import Plant
+from treefit.plant import LeafShape, Plant
 
 Floats = NDArray[np.float32]
 Ints = NDArray[np.int32]
@@ -28,7 +29,8 @@ class Mesh:
 def branch_meshes(plant: Plant, sides: int = 8) -> dict[str, Mesh]:
     """Return the wood by name: 'trunk' (level 0) and 'branches' (all others); a name without stems is left out.
 
-    Every stem is a closed tube of its own; `sides` is the count at the thickest one, thinner stems have fewer.
+    Every stem is a closed tube of its own; `sides` is the count at the thickest one, thinner stems have fewer, a
+    trunk with lobes has four a lobe.
     """
     if sides < 3:
         raise ValueError(f"mesh: sides must be 3 or more, got {sides}")
@@ -36,11 +38,13 @@ def branch_meshes(plant: Plant, sides: int = 8) -> dict[str, Mesh]:
     if len(stems.level) == 0:
         return {}
     levels = {"trunk": stems.level == 0, "branches": stems.level > 0}
-    sides_of = _sides(stems, sides)
-    return {name: _tubes(stems, chosen, sides_of) for name, chosen in levels.items() if chosen.any()}
+    lobes, sides_of = lobes_of(plant.look, stems, sides), _sides(stems, sides)
+    if lobes is not None:
+        sides_of = lobes.corners(sides_of)
+    return {name: _tubes(stems, chosen, sides_of, lobes) for name, chosen in levels.items() if chosen.any()}
 
 
-def leaf_mesh(plant: Plant, shape: Shape = "broad", fold: float = 0.0) -> Mesh:
+def leaf_mesh(plant: Plant, shape: LeafShape = "broad", fold: float = 0.0) -> Mesh:
     """Return the leaves as cards, each of area pi/4 * length * width, with halves raised by `fold` degrees."""
     card = leaf_card(shape, fold)
     k, corners = plant.n_leaves, len(card.place)
@@ -68,24 +72,30 @@ def _sides(stems: Stems, sides: int) -> NDArray[np.int64]:
     return np.asarray(np.clip(wanted, min(4, sides), sides), dtype=np.int64)
 
 
-def _tubes(stems: Stems, chosen: NDArray[np.bool_], sides_of: NDArray[np.int64]) -> Mesh:
-    """Closed tubes of the `chosen` (s,) stems: rings with a doubled seam, a flat foot and a pointed tip."""
+def _tubes(stems: Stems, chosen: NDArray[np.bool_], sides_of: NDArray[np.int64], lobes: Lobes | None) -> Mesh:
+    """Closed tubes of the `chosen` (s,) stems: rings with a doubled seam, a flat foot and a pointed tip.
+
+    A foot with lobes is a fan around its centre: one around a corner would leave the hollows.
+    """
     low, high, sides = stems.first[:-1][chosen], stems.first[1:][chosen], sides_of[chosen]
     ring = _ranges(low, high - low)
     stem_of_ring = np.repeat(np.arange(len(low)), high - low)
     ring_sides = sides[stem_of_ring]
     ring_start = np.concatenate([[0], np.cumsum(ring_sides + 1)])
-    rim = _rim(stems, ring, ring_sides, _girth(stems, chosen)[stem_of_ring])
-    tips = _tips(stems, high - 1)
+    rim = _rim(stems, ring, ring_sides, _girth(stems, chosen)[stem_of_ring], lobes)
+    lobed = np.zeros(len(low), dtype=bool) if lobes is None else lobes.stem[chosen]
+    tips, hubs = _tips(stems, high - 1), _hubs(stems, low[lobed])
     first_ring = np.concatenate([[0], np.cumsum(high - low)[:-1]])
     last_ring = first_ring + (high - low) - 1
     is_last = np.zeros(len(ring), dtype=bool)
     is_last[last_ring] = True
     walls = _walls(ring_start[:-1][~is_last], ring_sides[~is_last])
     caps = _fans(ring_start[last_ring], sides, ring_start[-1] + np.arange(len(low)))
-    feet = _feet(ring_start[first_ring], sides)
-    vertices, normals, uv = (np.concatenate(pair) for pair in zip(rim, tips, strict=True))
-    faces = np.concatenate([walls, caps, feet])
+    feet = _feet(ring_start[first_ring][~lobed], sides[~lobed])
+    hub = ring_start[-1] + len(low) + np.arange(lobed.sum())
+    lobed_feet = _fans(ring_start[first_ring][lobed], sides[lobed], hub)[:, [1, 0, 2]]
+    vertices, normals, uv = (np.concatenate(parts) for parts in zip(rim, tips, hubs, strict=True))
+    faces = np.concatenate([walls, caps, feet, lobed_feet])
     return Mesh(
         vertices.astype(np.float32), faces.astype(np.int32), _unit(normals), uv.astype(np.float32)
     )  # fmt: skip
@@ -94,15 +104,21 @@ def _tubes(stems: Stems, chosen: NDArray[np.bool_], sides_of: NDArray[np.int64])
 Corners = tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]  # place, normal, uv
 
 
-def _rim(stems: Stems, ring: NDArray[np.int64], sides: NDArray[np.int64], girth: NDArray[np.float64]) -> Corners:
+def _rim(
+    stems: Stems, ring: NDArray[np.int64], sides: NDArray[np.int64], girth: NDArray[np.float64], lobes: Lobes | None
+) -> Corners:
     """Corners of the rings, sides + 1 each: the last lies on the first with another u."""
     at = np.repeat(ring, sides + 1)
     turn = _ranges(np.zeros_like(sides), sides + 1) / np.repeat(sides, sides + 1)
     angle = 2 * np.pi * np.where(turn == 1, 0.0, turn)  # both ends of the seam get the same bytes
     tangent, side = stems.tangent[at], stems.side[at]
     outward = np.cos(angle)[:, None] * side + np.sin(angle)[:, None] * np.cross(tangent, side)
-    place = stems.centre[at] + stems.radius[at, None] * outward
-    normal = outward + stems.narrowing[at, None] * tangent
+    radius, normal = stems.radius[at, None], outward + stems.narrowing[at, None] * tangent
+    if lobes is not None:
+        factor, against, loss = (share[:, None] for share in lobes.swell(at, angle))
+        radius = radius * factor
+        normal = normal - against * np.cross(tangent, outward) + loss * tangent
+    place = stems.centre[at] + radius * outward
     return place, normal, np.column_stack([turn * np.repeat(girth, sides + 1), stems.along[at]])
 
 
@@ -111,6 +127,11 @@ def _tips(stems: Stems, last: NDArray[np.int64]) -> Corners:
     reach = 0.5 * stems.radius[last]
     place = stems.centre[last] + reach[:, None] * stems.tangent[last]
     return place, stems.tangent[last], np.column_stack([np.zeros(len(last)), stems.along[last] + reach])
+
+
+def _hubs(stems: Stems, first: NDArray[np.int64]) -> Corners:
+    """One corner a stem in the middle of its first ring, seen from below."""
+    return stems.centre[first], -stems.tangent[first], np.zeros((len(first), 2))
 
 
 def _girth(stems: Stems, chosen: NDArray[np.bool_]) -> NDArray[np.float64]:

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from treefit.asset.backdrop import backdrop
-from treefit.asset.frame import TREE_SHARE, frame_plant
+from treefit.asset.frame import TREE_SHARE, Frame, frame_plant
 from treefit.asset.glb import plant_meshes
 from treefit.asset.light import sky_seen, sun_map
 from treefit.asset.mesh import Mesh
@@ -26,14 +26,15 @@ _FINER = 2  # samples a pixel along each side
 _THINNEST = 0.3  # radius in pixels
 
 
-def picture(plant: Plant, settings: AssetSettings, size: int | tuple[int, int] | None = None) -> Picture:
+def picture(plant: Plant, settings: AssetSettings, size: int | tuple[int, int] | Frame | None = None) -> Picture:
     """Return a picture (h, w, 3) of `plant` from the front (orthographic, trunk base in the middle column).
 
     `size` is (h, w), or the height alone when the width shall follow the plant; default settings.picture_size.
+    A Frame sets the scale too, so that several plants are shown at one.
     """
     size = size or settings.picture_size
-    surface = _surface(_thickened(plant, size if isinstance(size, int) else size[0]), settings)
-    frame = frame_plant(surface.place, size).finer(_FINER)
+    surface = _surface(_thickened(plant, size), settings)
+    frame = (size if isinstance(size, Frame) else frame_plant(surface.place, size)).finer(_FINER)
     tall = float(surface.place[:, 2].max())
     screen = frame.project(surface.place)
     seen, _ = nearest_triangles(screen, surface.faces, frame.height, frame.width)
@@ -46,9 +47,12 @@ def picture(plant: Plant, settings: AssetSettings, size: int | tuple[int, int] |
     return np.asarray(mean * 255 + 0.5, dtype=np.uint8)
 
 
-def _thickened(plant: Plant, height: int) -> Plant:
-    """Return `plant` with twigs thick enough to be unbroken lines in a picture of `height` pixels."""
-    metres_a_pixel = extent_of(plant).height / (TREE_SHARE * height)
+def _thickened(plant: Plant, size: int | tuple[int, int] | Frame) -> Plant:
+    """Return `plant` with twigs thick enough to be unbroken lines in a picture of that size."""
+    if isinstance(size, Frame):
+        metres_a_pixel = 1 / size.scale
+    else:
+        metres_a_pixel = extent_of(plant).height / (TREE_SHARE * (size if isinstance(size, int) else size[0]))
     thinnest = np.float32(_THINNEST * metres_a_pixel)
     return replace(plant, radius=np.maximum(plant.radius, thinnest))
 

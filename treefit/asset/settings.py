@@ -9,7 +9,7 @@ from PIL import ImageColor
 from pydantic import BeforeValidator, ConfigDict, Field
 from pydantic.dataclasses import dataclass
 
-from treefit.asset.leaf_outline import Shape
+from treefit.asset.leaf_outline import Outline
 
 Colour = tuple[int, int, int]
 
@@ -33,7 +33,7 @@ class AssetSettings:
     """Shape and colours of an exported plant and the size of its picture; colours are sRGB."""
 
     sides: Annotated[int, Field(ge=3, le=32)] = 7  # corners of the thickest stem
-    leaf_outline: Shape = "broad"
+    leaf_outline: Outline = "auto"  # auto: the one that the generator gave the plant, else broad
     leaf_fold: Annotated[float, Field(ge=0, le=60)] = 18.0  # degrees each half is raised
     bark: Annotated[Colour, BeforeValidator(parse_colour)] = (112, 88, 68)
     leaf: Annotated[Colour, BeforeValidator(parse_colour)] = (98, 140, 62)

@@ -12,6 +12,7 @@ from treefit.plant import Plant
 
 THINNEST = 1e-4  # radius in plant heights under which a ring would be a heap of equal points
 SHORTEST = 1e-5  # distance in plant heights under which two rings are one
+ON_AXIS = 2e-6  # distance in plant heights to the parent's axis; single precision is off by a tenth of that
 
 
 @dataclass(frozen=True, eq=False)
@@ -31,19 +32,20 @@ class Stems:
 def stems_of(plant: Plant) -> Stems:
     """Return the stems of `plant`: the first child of the same level goes on, every other child begins a stem.
 
-    A stem that begins at a fork has its first ring at the parent vertex, so inside the parent's wood.
+    A stem that begins at a fork has its first ring at the parent vertex, so inside the parent's wood. When its
+    first segment runs along the parent's axis to a seat between two vertices, it has it at that seat.
     """
     position = np.ascontiguousarray(plant.position, dtype=np.float64)
     size = max(float(np.ptp(position, axis=0).max()), 1e-6)
     parent, level = np.ascontiguousarray(plant.parent), np.ascontiguousarray(plant.level)
     following = _following(parent, level)
-    first, vertex, owner = _chains(parent, following, position, SHORTEST * size)
+    seated = _seated(parent, level, position, ON_AXIS * size)
+    first, vertex, owner = _chains(parent, following, seated, position, SHORTEST * size)
     centre = position[vertex]
     radius = np.maximum(_ring_radius(plant, vertex, owner), THINNEST * size)
     tangent, side, along = _frames(first, centre)
-    narrowing = _narrowing(first, along, radius)
     level = np.asarray(plant.level[owner[first[:-1]]], dtype=np.int32)
-    return Stems(first, level, centre, radius, tangent, side, along, narrowing)
+    return Stems(first, level, centre, radius, tangent, side, along, narrowing(first, along, radius))
 
 
 def _ring_radius(plant: Plant, vertex: NDArray[np.int64], owner: NDArray[np.int64]) -> NDArray[np.float64]:
@@ -65,7 +67,34 @@ def _following(parent, level):
 
 
 @njit(cache=True, nogil=True)
-def _chains(parent, following, position, shortest):
+def _seated(parent, level, position, near):
+    """True (v,) where a segment to a new level lies on a segment of the parent's stem, so hidden in its wood."""
+    n = parent.shape[0]
+    last, before = np.full(n, -1, np.int64), np.full(n, -1, np.int64)  # children of their parent's level, as lists
+    for i in range(1, n):
+        if level[i] == level[parent[i]]:
+            before[i], last[parent[i]] = last[parent[i]], i
+    seated = np.zeros(n, np.bool_)
+    for i in range(1, n):
+        p = parent[i]
+        if level[i] > level[p]:
+            on = last[p]
+            while on >= 0 and not seated[i]:
+                seated[i] = _distance(position[i], position[p], position[on]) <= near
+                on = before[on]
+    return seated
+
+
+@njit(cache=True, nogil=True)
+def _distance(point, begin, end):
+    """Distance of a point (3,) to the segment from `begin` to `end`."""
+    along, to_point = end - begin, point - begin
+    share = (along * to_point).sum() / max((along**2).sum(), 1e-30)
+    return np.sqrt(((to_point - min(max(share, 0.0), 1.0) * along) ** 2).sum())
+
+
+@njit(cache=True, nogil=True)
+def _chains(parent, following, seated, position, shortest):
     """First rings (s + 1,), the vertex (r,) at each ring and the vertex (r,) whose segment it belongs to."""
     n = parent.shape[0]
     first = np.zeros(n + 1, np.int64)
@@ -76,7 +105,7 @@ def _chains(parent, following, position, shortest):
         if start > 0 and following[parent[start]] == start:
             continue
         begin, i = rings, start
-        vertex[rings] = parent[start] if start > 0 else start
+        vertex[rings] = start if start == 0 or seated[start] else parent[start]
         owner[rings] = start
         rings += 1
         if start == 0:
@@ -132,9 +161,7 @@ def _frames(first, centre):
     return tangent, side, along
 
 
-def _narrowing(
-    first: NDArray[np.int64], along: NDArray[np.float64], radius: NDArray[np.float64]
-) -> NDArray[np.float64]:
+def narrowing(first: NDArray[np.int64], along: NDArray[np.float64], radius: NDArray[np.float64]) -> NDArray[np.float64]:
     """Loss of radius per metre (r,), over the segments before and after each ring."""
     index = np.arange(len(along))
     before, after = index - 1, index + 1

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Protocol
 
 from treefit.plant.parameters import ParameterSpace, Values
 from treefit.plant.plant import Plant
+from treefit.plant.preset import Preset
 
 
 @dataclass(frozen=True)
@@ -43,6 +45,10 @@ class Generator(Protocol):
     @property
     def space(self) -> ParameterSpace:
         """Parameters that the generator takes."""
+
+    @property
+    def presets(self) -> Mapping[str, Preset]:
+        """Plants of this generator by name; empty when there are none."""
 
     def __call__(self, values: Values, seed: int, budget: Budget) -> Plant:
         """Plant grown from `values` by name; every draw comes from streams keyed by `seed`."""

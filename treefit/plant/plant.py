@@ -10,6 +10,8 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
+from treefit.plant.look import Look, check_look
+
 Floats = NDArray[np.float32]
 Ints = NDArray[np.int32]
 Row: TypeAlias = NDArray[np.float32]  # (v,) or (k,), contiguous
@@ -21,7 +23,8 @@ class Plant:
     """A tree as arrays; z is up, the root stands at the origin, lengths in metres.
 
     Segment i runs from vertex parent[i] to vertex i. Its radius tapers from radius[parent[i]] to radius[i]
-    within a stem; where a new stem begins (level[i] > level[parent[i]]) it is radius[i] at both ends.
+    within a stem; where a new stem begins (level[i] > level[parent[i]]) it is radius[i] at both ends. A stem
+    that begins between two vertices of its parent has its first vertex there, on the parent's axis.
     `(v, 3)` arrays may be views of contiguous x, y, z rows (structure of arrays).
     """
 
@@ -34,6 +37,7 @@ class Plant:
     leaf_normal: Floats  # (k, 3) unit, at right angles to the axis
     leaf_size: Floats  # (k, 2) length, width in m
     cut: bool = False  # True when the budget ended the growth
+    look: Look | None = None  # what no mask sees; None is a round trunk and leaves without a wish
 
     @property
     def n_vertices(self) -> int:
@@ -83,6 +87,8 @@ def check_plant(plant: Plant) -> None:
             raise ValueError(f"plant: {name} must have shape {shape}, got {getattr(plant, name).shape}")
     if v < 2:
         raise ValueError(f"plant: needs at least 2 vertices, got {v}")
+    if plant.look is not None:
+        check_look(plant.look)
     wrong = _faults(plant.rows, plant.radius, plant.parent)
     if wrong == 0:
         return

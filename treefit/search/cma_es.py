@@ -1,7 +1,8 @@
 """CMA-ES: a normal distribution that turns and stretches towards better genomes (N. Hansen, arXiv:1604.00772).
 
-A random start finds where to begin. Draws outside the unit cube are mirrored back into it. Once the distribution has
-shrunk the search starts again, round and wide, around the best known: the next hill is often higher.
+The best of a first population, random or led by known genomes, is where it begins. Draws outside the unit cube are
+mirrored back into it. Once the distribution has shrunk the search starts again, round and wide, around the best so far:
+the next hill is often higher.
 """
 
 from __future__ import annotations
@@ -13,10 +14,12 @@ from pydantic.dataclasses import dataclass
 
 from treefit.search.archive import Archive
 from treefit.search.gaussian import Gaussian, around, learn, rates
+from treefit.search.operators import mirrored
 from treefit.search.optimizer import Genomes, Scores, State
+from treefit.search.start import Start, first_genomes, known_genomes
 
 START_BATCH = 100
-"""Random genomes of one ask: each batch knows the floor of the ones before."""
+"""Genomes of one ask of the first population: each batch knows the floor of the ones before."""
 
 
 @dataclass(frozen=True, config=ConfigDict(extra="forbid"))
@@ -28,21 +31,24 @@ class CMAES:
     generations: int = Field(default=900, ge=1)
     min_population: int = Field(default=24, ge=4)
     step: float = Field(default=0.25, gt=0, le=1)
+    known_step: float = Field(default=0.05, gt=0, le=1)
     converged: float = Field(default=0.005, gt=0, le=1)
     restart_step: float = Field(default=0.15, gt=0, le=1)
+    start: Start = "mixed"
 
-    def start(self, n_genes: int, seed: int) -> CMAESSearch:
+    def begin(self, n_genes: int, seed: int, known: Genomes | None = None) -> CMAESSearch:
         """Optimizer for genomes of `n_genes` genes."""
-        return CMAESSearch(self, n_genes, seed)
+        return CMAESSearch(self, n_genes, seed, known)
 
 
 class CMAESSearch:
-    """CMA-ES under way; `gaussian` is None during the random start."""
+    """CMA-ES under way; `gaussian` is None during the first population."""
 
-    def __init__(self, settings: CMAES, n_genes: int, seed: int) -> None:
+    def __init__(self, settings: CMAES, n_genes: int, seed: int, known: Genomes | None) -> None:
         self.settings, self.n_genes, self.seed = settings, n_genes, seed
-        self.strangers = max(1, round(settings.start_share * settings.evaluations))
-        self.population = max(settings.min_population, (settings.evaluations - self.strangers) // settings.generations)
+        self.known = known_genomes(known, n_genes)
+        self.first = max(1, round(settings.start_share * settings.evaluations))
+        self.population = max(settings.min_population, (settings.evaluations - self.first) // settings.generations)
         self.archive, self.rates = Archive(n_genes), rates(n_genes, self.population)
         self.told, self.restarts = 0, 0
         self.gaussian: Gaussian | None = None
@@ -58,18 +64,19 @@ class CMAESSearch:
     def stage(self) -> str:
         """Restart, generation and how far the search still reaches."""
         if self.gaussian is None:
-            return "random start"
+            return "first genomes"
         reach = float(np.median(self.gaussian.spread))
         return f"start {self.restarts + 1}, generation {self.gaussian.generation}, spread {reach:.3f}"
 
     def ask(self) -> Genomes:
-        """Random genomes at the start, then draws of the distribution."""
+        """The first population in batches, then draws of the distribution."""
         if self._asked is not None:
             raise ValueError("ask: tell the scores of the last genomes first")
         left = self.settings.evaluations - self.told
         if self.gaussian is None:
-            count = min(START_BATCH, self.strangers - self.told, left)
-            self._asked = np.random.default_rng([self.seed, self.told]).random((count, self.n_genes))
+            places = self.told + np.arange(min(START_BATCH, self.first - self.told, left))
+            rng = np.random.default_rng([self.seed, self.told])
+            self._asked = first_genomes(self.settings.start, self.known, places, rng)
             return self._asked
         g = self.gaussian
         rng = np.random.default_rng([self.seed, self.restarts, g.generation, 1])
@@ -78,7 +85,7 @@ class CMAESSearch:
         return self._asked
 
     def floors(self) -> Scores:
-        """Floor of the archive in the random start, whose best alone matters; later every rank matters."""
+        """Floor of the archive in the first population, whose best alone matters; later every rank matters."""
         if self._asked is None:
             raise ValueError("floors: ask for genomes first")
         return np.full(len(self._asked), self.archive.floor if self.gaussian is None else -np.inf)
@@ -98,8 +105,9 @@ class CMAESSearch:
             if np.median(self.gaussian.spread) < self.settings.converged:
                 self.restarts += 1
                 self.gaussian = around(self._best_known(), self.settings.restart_step)
-        elif self.told >= self.strangers:
-            self.gaussian = around(self._best_known(), self.settings.step)
+        elif self.told >= self.first:
+            led = self.settings.start != "random" and len(self.known) > 0
+            self.gaussian = around(self._best_known(), self.settings.known_step if led else self.settings.step)
 
     def best(self, count: int) -> tuple[Genomes, Scores]:
         """Distinct best of the whole run."""
@@ -133,8 +141,3 @@ class CMAESSearch:
     def _best_known(self) -> NDArray[np.float64]:
         genomes, _ = self.archive.best(1)
         return genomes[0] if len(genomes) else np.full(self.n_genes, 0.5)
-
-
-def mirrored(places: NDArray[np.float64]) -> Genomes:
-    """Any coordinates (m, n) as ones of [0, 1]: a path that leaves the interval is thrown back at its end."""
-    return np.abs((places + 1) % 2 - 1)

@@ -1,4 +1,4 @@
-"""Moves of the elementary genetic algorithm (sec. 5), each on one population of genomes."""
+"""Moves of the elementary genetic algorithm (sec. 5) and of other searches, each on one population of genomes."""
 
 from __future__ import annotations
 
@@ -54,6 +54,11 @@ def mutate(genomes: Genomes, chance: float, share: float, step: float, rng: np.r
     moved = np.clip(genomes + step * rng.standard_normal((m, n)), 0.0, 1.0)
     drawn = rng.random((m, n))
     return np.where(mutated, np.where(rng.random((m, n)) < 0.5, drawn, moved), genomes)
+
+
+def mirrored(places: Genomes) -> Genomes:
+    """Any coordinates (m, n) as ones of [0, 1]: a path that leaves the interval is thrown back at its end."""
+    return np.abs((places + 1) % 2 - 1)
 
 
 def without_twins(children: Genomes, population: Genomes, change: Callable[[Genomes], Genomes]) -> Genomes:

@@ -47,11 +47,14 @@ class Optimizer(Protocol):
 
 
 class Strategy(Protocol):
-    """Settings of a way to search; `start` makes an Optimizer."""
+    """Settings of a way to search; `begin` makes an Optimizer."""
 
     @property
     def evaluations(self) -> int:
         """Budget: count of genomes that are scored."""
 
-    def start(self, n_genes: int, seed: int) -> Optimizer:
-        """Optimizer for genomes of `n_genes` genes; all its draws come from `seed`."""
+    def begin(self, n_genes: int, seed: int, known: Genomes | None = None) -> Optimizer:
+        """Optimizer for genomes of `n_genes` genes; all its draws come from `seed`.
+
+        It may begin from `known` genomes (m, n); a restored one needs the same as the one that it goes on from.
+        """

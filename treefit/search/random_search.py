@@ -9,18 +9,20 @@ from pydantic.dataclasses import dataclass
 
 from treefit.search.archive import Archive
 from treefit.search.optimizer import Genomes, Scores, State
+from treefit.search.start import Start, first_genomes, known_genomes
 
 
 @dataclass(frozen=True, config=ConfigDict(extra="forbid"))
 class RandomSearch:
-    """Settings of random search: batches of uniform genomes."""
+    """Settings of random search: batches of uniform genomes, the first one as `start` says."""
 
     evaluations: int = Field(default=50_000, ge=1)
     batch: int = Field(default=400, ge=1)
+    start: Start = "mixed"
 
-    def start(self, n_genes: int, seed: int) -> RandomRun:
+    def begin(self, n_genes: int, seed: int, known: Genomes | None = None) -> RandomRun:
         """Optimizer for genomes of `n_genes` genes."""
-        return RandomRun(self, n_genes, seed)
+        return RandomRun(self, n_genes, seed, known)
 
 
 class RandomRun:
@@ -28,8 +30,9 @@ class RandomRun:
 
     stage = "random"
 
-    def __init__(self, settings: RandomSearch, n_genes: int, seed: int) -> None:
+    def __init__(self, settings: RandomSearch, n_genes: int, seed: int, known: Genomes | None) -> None:
         self.settings, self.n_genes, self.seed, self.told = settings, n_genes, seed, 0
+        self.known = known_genomes(known, n_genes)
         self.archive = Archive(n_genes)
         self._asked: Genomes | None = None
 
@@ -39,11 +42,12 @@ class RandomRun:
         return self.told >= self.settings.evaluations
 
     def ask(self) -> Genomes:
-        """Uniform genomes."""
+        """Uniform genomes; in the first batch those of the start."""
         if self._asked is not None:
             raise ValueError("ask: tell the scores of the last genomes first")
         rng = np.random.default_rng([self.seed, self.told])
-        self._asked = rng.random((min(self.settings.batch, self.settings.evaluations - self.told), self.n_genes))
+        places = np.arange(min(self.settings.batch, self.settings.evaluations - self.told))
+        self._asked = first_genomes("random" if self.told else self.settings.start, self.known, places, rng)
         return self._asked
 
     def floors(self) -> Scores:

@@ -1,8 +1,8 @@
 """The paper's tree of elementary genetic algorithms (sec. 5, fig. 3), one level at a time.
 
-Leaves start from random genomes, every other node from the fittest of its two children. All nodes of a level form one
-(t, p, n) array, so that an ask is one large batch; each node has its own random stream. Kept of a population are its
-survivors, the better half: only they have children, and no other can be among the better half of two joined ones.
+Leaves start from random or known genomes, every other node from the fittest of its two children. All nodes of a level
+form one (t, p, n) array, so that an ask is one large batch; each node has its own random stream. Kept of a population
+are its survivors, the better half: only they have children, and no other can be in the better half of two joined ones.
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ from pydantic.dataclasses import dataclass
 from treefit.search.archive import Archive
 from treefit.search.operators import fittest, mutate, one_dot_crossover, pick_parents, uniform_crossover, without_twins
 from treefit.search.optimizer import Genomes, Scores, State
+from treefit.search.start import Start, first_genomes, known_genomes
 
 
 @dataclass(frozen=True, config=ConfigDict(extra="forbid"))
@@ -29,17 +30,19 @@ class TreeGA:
     mutation_genes: float = Field(default=0.05, gt=0, le=1)
     mutation_step: float = Field(default=0.1, gt=0, le=1)
     crossover: str = Field(default="one_dot", pattern="^(one_dot|uniform)$")
+    start: Start = "mixed"
 
-    def start(self, n_genes: int, seed: int) -> TreeGASearch:
+    def begin(self, n_genes: int, seed: int, known: Genomes | None = None) -> TreeGASearch:
         """Optimizer for genomes of `n_genes` genes."""
-        return TreeGASearch(self, n_genes, seed)
+        return TreeGASearch(self, n_genes, seed, known)
 
 
 class TreeGASearch:
     """The tree of GAs under way; `level` counts down to 0, the root."""
 
-    def __init__(self, settings: TreeGA, n_genes: int, seed: int) -> None:
+    def __init__(self, settings: TreeGA, n_genes: int, seed: int, known: Genomes | None) -> None:
         self.settings, self.n_genes, self.seed = settings, n_genes, seed
+        self.known = known_genomes(known, n_genes)
         self.depth, self.survivors = _depth(settings), settings.population - settings.population // 2
         self.archive = Archive(n_genes)
         self.level, self.generation, self.told = self.depth - 1, 0, 0
@@ -65,7 +68,7 @@ class TreeGASearch:
         streams = [
             np.random.default_rng([self.seed, self.level, node, self.generation]) for node in range(len(self.genomes))
         ]
-        nodes = [self._strangers(rng) if first else self._children(node, rng) for node, rng in enumerate(streams)]
+        nodes = [self._first(node, rng) if first else self._children(node, rng) for node, rng in enumerate(streams)]
         self._asked = np.concatenate(nodes)[: self.settings.evaluations - self.told]
         return self._asked
 
@@ -114,8 +117,9 @@ class TreeGASearch:
         self.level, self.generation, self.told = (int(number) for number in state["counters"])
         self._asked = None
 
-    def _strangers(self, rng: np.random.Generator) -> Genomes:
-        return rng.random((self.settings.start_population, self.n_genes))
+    def _first(self, node: int, rng: np.random.Generator) -> Genomes:
+        places = node + len(self.genomes) * np.arange(self.settings.start_population)  # deals the known ones out
+        return first_genomes(self.settings.start, self.known, places, rng)
 
     def _children(self, node: int, rng: np.random.Generator) -> Genomes:
         s, genomes = self.settings, self.genomes[node]

@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 import yaml
 
-from treefit.asset import read_preset, write_preset
+from treefit.plant import read_preset, read_presets, write_preset
 
 VALUES = {"length": 7.123456789012345, "small": 1e-9, "count": 4, "curved": True, "kind": "yes", "größe": 1.0}
 
@@ -58,3 +58,20 @@ def test_missing_and_binary_files_are_refused(tmp_path):
     (tmp_path / "p.yaml").write_bytes(bytes(range(256)))
     with pytest.raises(ValueError, match="is no YAML file"):
         read_preset(tmp_path / "p.yaml")
+
+
+def test_presets_of_a_folder_are_told_by_the_names_of_their_files_in_order(tmp_path):
+    for name in ("willow", "ash", "big_oak"):
+        write_preset(tmp_path / f"{name}.yaml", generator="g", version="1", seed=len(name), values={"a": 1.0})
+    (tmp_path / "README.md").write_text("no preset")
+    found = read_presets(tmp_path)
+    assert {name: preset.seed for name, preset in found.items()} == {"ash": 3, "big_oak": 7, "willow": 6}
+    assert list(found) == sorted(found)
+    assert read_presets(tmp_path / "none") == {}
+
+
+def test_one_bad_preset_of_a_folder_is_named(tmp_path):
+    (tmp_path / "ash.yaml").write_text(GOOD)
+    (tmp_path / "oak.yaml").write_text("a: [")
+    with pytest.raises(ValueError, match=r"oak\.yaml: is no YAML file"):
+        read_presets(tmp_path)

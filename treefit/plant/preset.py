@@ -9,7 +9,7 @@ from pathlib import Path
 
 import yaml
 
-from treefit.plant import Value
+from treefit.plant.parameters import Value
 
 KEYS = ("generator", "version", "seed", "values")
 
@@ -69,6 +69,12 @@ def read_preset(path: Path | str) -> Preset:
     for name, value in values.items():
         _check_value(path, name, value)
     return Preset(generator, str(version), seed, values)
+
+
+def read_presets(folder: Path | str) -> dict[str, Preset]:
+    """Return the presets in the files `*.yaml` of `folder` by the names of the files without the ending, sorted."""
+    files = sorted(Path(folder).glob("*.yaml"), key=lambda file: file.stem)
+    return {file.stem: read_preset(file) for file in files}
 
 
 def _load(path: Path | str) -> object:

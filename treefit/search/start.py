@@ -1,0 +1,51 @@
+"""The first genomes of a search: uniform ones, and known ones with children of theirs."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from treefit.search.operators import mirrored, one_dot_crossover
+from treefit.search.optimizer import Genomes
+
+Start = Literal["random", "presets", "mixed"]
+"""Uniform genomes; the known ones and children of theirs; the known ones, half children and half uniform genomes."""
+
+STEPS = (0.02, 0.05, 0.1)
+"""Standard deviations of the genes of a child, every step as often: some children are near by, others far off."""
+
+
+def known_genomes(known: Genomes | None, n_genes: int) -> Genomes:
+    """Return `known` (m, n) as it is, none as (0, n); ValueError for another shape or genes outside [0, 1]."""
+    if known is None:
+        return np.empty((0, n_genes))
+    if known.ndim != 2 or known.shape[1] != n_genes:
+        raise ValueError(f"known genomes: must have the shape (m, {n_genes}), got {known.shape}")
+    if not ((known >= 0) & (known <= 1)).all():
+        raise ValueError("known genomes: genes must be in [0, 1]")
+    return known
+
+
+def first_genomes(start: Start, known: Genomes, places: NDArray[np.int64], rng: np.random.Generator) -> Genomes:
+    """Genomes (m, n) at `places` (m,) of a first population, which the genomes `known` (k, n) lead, unless `random`.
+
+    Without known ones every start is `random`, byte by byte.
+    """
+    genomes = rng.random((len(places), known.shape[1]))
+    if start == "random" or not len(known):
+        return genomes
+    fresh = np.flatnonzero(places >= len(known))
+    bred = fresh if start == "presets" else fresh[::2]
+    genomes[bred] = children(known, len(bred), rng)
+    genomes[places < len(known)] = known[places[places < len(known)]]
+    return genomes
+
+
+def children(known: Genomes, count: int, rng: np.random.Generator) -> Genomes:
+    """Children (count, n) of `known` (k, n): every gene moves by a normal step; half are crossed from two before."""
+    first, second = known[rng.integers(len(known), size=(2, count))]
+    crossed = np.where(rng.random((count, 1)) < 0.5, one_dot_crossover(first, second, rng), first)
+    steps = rng.choice(STEPS, size=(count, 1))
+    return mirrored(crossed + steps * rng.standard_normal(crossed.shape))
