@@ -20,7 +20,7 @@ from treefit.plant.streams import child_key, seed_key, two
 
 SPECIES = Path(__file__).parent / "species"
 
-SMALLEST = 0.2
+SMALLEST = 0.5
 """Share of `scale` that a tree is high at least: the black oak's is 10 m, give or take 10."""
 
 _SCRATCH = Scratch()
