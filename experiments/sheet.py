@@ -20,6 +20,7 @@ from experiments.settings import Sheet, read_settings
 from experiments.sheet_cells import Drawing, grow
 from experiments.sheet_parameters import MASK_SHARE, Row, parameter_pages
 from experiments.sheet_presets import Block, preset_pages
+from experiments.sheet_shown import Stage, first_shown, stages
 from experiments.sheet_values import choose, steps, written
 from experiments.terminal import counted
 from treefit.asset import AssetSettings
@@ -27,8 +28,9 @@ from treefit.plant import Generator, Parameter, Plant, Value
 from treefit.plant.extent import extent_of
 
 PARAMETER_LEGEND = (
-    "A row is one parameter from its lowest to its highest value, all others at {source}, on seed {seed}. "
-    "All plants of a row are at one scale; the dot is at the value that the other rows have, or nearest to it."
+    "A row is one parameter from its lowest to its highest value, all others at {source}, on seed {seed}; what shows "
+    "nothing there is drawn on the preset that its row names. All plants of a row are at one scale; the dot is at the "
+    "plant's own value, or nearest to it."
 )
 PRESET_LEGEND = "Each preset at its own scale, its plants on the same seeds."
 
@@ -38,7 +40,8 @@ _log = logging.getLogger(__name__)
 def run(cfg: DictConfig) -> None:
     """Write parameters.png (or parameters_1.png ...) and presets.png of cfg.generator; print one JSON line last.
 
-    What fails to grow is an empty cell with the reason; `unseen` are the parameters that change no pixel.
+    What fails to grow is an empty cell with the reason; `unseen` are the parameters that change no pixel,
+    on no preset either.
     """
     started, folder, settings = time.perf_counter(), run_folder(), read_settings(cfg)
     generator = cast(Generator, build(cfg.generator, "generator"))
@@ -73,15 +76,26 @@ def _drawings(asset: AssetSettings, sheet: Sheet) -> tuple[Drawing, Drawing]:
 def parameter_rows(
     generator: Generator, drawing: Drawing, names: Sequence[str] | None, usual: Mapping[str, Value], seed: int
 ) -> list[Row]:
-    """A row for each parameter of `names`, all when None: plants that differ from the `usual` values in it alone."""
+    """A row for each parameter of `names`, all when None: plants that differ from the `usual` values in it alone.
 
-    def row(parameter: Parameter) -> Row:
-        values = steps(parameter)
-        plants = [grow(generator, {**usual, parameter.name: value}, seed) for value in values]
+    One that changes no pixel is shown on the first preset on which it does.
+    """
+
+    def row(parameter: Parameter, values: Mapping[str, Value], on: str = "") -> Row:
+        shown = steps(parameter)
+        plants = [grow(generator, {**values, parameter.name: value}, seed) for value in shown]
         fixed = parameter.name in generator.space.fixed
-        return Row(parameter, usual[parameter.name], fixed, values, drawing.row(plants))
+        return Row(parameter, values[parameter.name], fixed, shown, drawing.row(plants), on)
 
-    return [row(parameter) for parameter in counted(choose(generator.space, names), "parameters")]
+    rows: list[Row] = []
+    ready: list[Stage] | None = None
+    for parameter in counted(choose(generator.space, names), "parameters"):
+        rows.append(row(parameter, usual))
+        if rows[-1].unseen:
+            ready = stages(generator, seed) if ready is None else ready
+            stage = first_shown(generator, parameter, rows[-1].values, ready, seed)
+            rows[-1] = row(parameter, stage.values, stage.name) if stage else rows[-1]
+    return rows
 
 
 def preset_blocks(generator: Generator, drawing: Drawing, seeds: Sequence[int]) -> list[Block]:

@@ -10,15 +10,15 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from experiments.errors import one_line
+from experiments.grow import BUDGET
 from treefit.asset import AssetSettings, picture
 from treefit.asset.frame import TREE_SHARE, Frame
 from treefit.mask import PALETTE
-from treefit.plant import Budget, Generator, Plant, Values, check_plant
+from treefit.plant import Generator, Plant, Values, check_plant
 from treefit.plant.extent import Extent, extent_of
 from treefit.view import Frame as Window
 from treefit.view import OrthographicView
 
-BUDGET = Budget(vertices=200_000, leaves=400_000)
 WIDTH = 1.06  # of a cell by its height
 _SIDE_ROOM = 0.05  # of a cell's height, left and right of the widest plant
 _MASK_ROWS, _MOST_WORDS = 256, 128
@@ -64,7 +64,7 @@ class Drawing:
         scale = _scale(extents) if extents else 1.0
         cells: list[Cell] = []
         for i, plant in enumerate(plants):
-            twin = next((j for j in range(i) if _same(plants[j], plant)), None)
+            twin = next((j for j in range(i) if same(plants[j], plant)), None)
             cells.append(self._cell(plant, scale) if twin is None else cells[twin])
         return cells
 
@@ -94,7 +94,7 @@ def grow(generator: Generator, values: Values, seed: int) -> Plant | str:
     return plant
 
 
-def _same(one: Plant | str, two: Plant | str) -> bool:
+def same(one: Plant | str, two: Plant | str) -> bool:
     """Whether both are the same plant to the bit, as where a parameter has no say."""
     if isinstance(one, str) or isinstance(two, str):
         return one == two

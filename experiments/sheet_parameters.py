@@ -42,13 +42,14 @@ _CAPTION = TEXT + 10  # under the panels
 
 @dataclass(frozen=True, eq=False)
 class Row:
-    """A parameter at `values`; the plant of the others has it at `usual`; `fixed`: the search leaves it alone."""
+    """A parameter at `values`, by itself at `usual`; `fixed`: the search leaves it alone; `on`: a preset, if on one."""
 
     parameter: Parameter
     usual: Value
     fixed: bool
     values: Sequence[Value]
     cells: Sequence[Cell]
+    on: str = ""
 
     @property
     def unseen(self) -> bool:
@@ -88,11 +89,12 @@ def _page(rows: Sequence[Row], sizes: Sizes, title: str, legend: str) -> Image.I
 
 
 def _put_head(draw: ImageDraw.ImageDraw, row: Row, top: int, height: int) -> None:
-    """Name, what the parameter is, its value in the other rows, and what there is to know of it."""
+    """Name, what the parameter is, its value otherwise, on which plant, and what there is to know of it."""
     parameter, room = row.parameter, _HEAD - 24
     draw.text((MARGIN, top - 2), fitted(parameter.name, NAME, room), INK, font(NAME))
     share = " (a share)" if parameter.unit == "share" else ""
     facts = [(f"otherwise {written(row.usual, parameter.unit)}{share}", FAINT)]
+    facts = [(f"on {row.on}", MARK), *facts] if row.on else facts
     facts += [("not searched", FAINT)] if row.fixed else []
     facts += [("no pixel changes", MARK)] if row.unseen else []
     most = max(1, (height - NAME) // LINE_HEIGHT - len(facts))

@@ -56,7 +56,7 @@ class WeberPennGen:
         told = [*tree, *(number for level in range(int(tree.levels)) for number in _level_rule(values, level))]
         numbers, integers = np.empty((4, budget.vertices), np.float32), np.empty((2, budget.vertices), np.int32)
         leaves = np.empty((11, budget.leaves), np.float32)
-        scratch, picks = _SCRATCH.room(budget.vertices // 2 + 1)  # a stem has two vertices at least
+        scratch, picks = _SCRATCH.room(budget.vertices)  # a clone has one of its own at least
         n, k, cut = grow(np.array(told, np.float64), key, scratch, picks, numbers, integers, leaves)
         numbers, leaves = numbers.T[:n], leaves.T[:k]
         look = Look(int(values["lobes"]), float(values["lobe_depth"]), str(values["leaf_shape"]))

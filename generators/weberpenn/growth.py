@@ -87,9 +87,10 @@ def grow(told, key, scratch, picks, numbers, integers, leaves):
     stem_numbers, stem_vertices, stem_keys, scales = scratch
     tree = TreeRule(*_fixed(told[:_TREE], _TREE))
     wood, picks = Wood(numbers, integers), Picks(*picks)
-    stems = Stems(stem_numbers[0], stem_vertices[0], stem_keys[0])
-    children = Stems(stem_numbers[1], stem_vertices[1], stem_keys[1])
-    trial = Stems(stem_numbers[2], stem_vertices[2], stem_keys[2])
+    blocks = (numbers.shape[1] + BLOCK - 1) // BLOCK  # of this budget: there may be more, from a plant before
+    stems = Stems(stem_numbers[0, :blocks], stem_vertices[0, :blocks], stem_keys[0, :blocks])
+    children = Stems(stem_numbers[1, :blocks], stem_vertices[1, :blocks], stem_keys[1, :blocks])
+    trial = Stems(stem_numbers[2, :blocks], stem_vertices[2, :blocks], stem_keys[2, :blocks])
     _begin(tree, stems, key)
     none = np.int64(0)  # not a literal: each literal argument would be compiled once more
     levels, m, n, k, cut = int(tree.levels), none + 1, none, none, False

@@ -90,6 +90,8 @@ def _wind(cone, first, block, count):
             put_frame(block, s, c * dx - w * ux, c * dy - w * uy, c * dz - w * uz, ax, ay, az)
             continue
         kx, ky, kz = c * dx + w * ux, c * dy + w * uy, c * dz + w * uz  # the axis of the helix
+        unit = _ONE / math.sqrt(kx * kx + ky * ky + kz * kz)  # else what it lacks to 1 would triple at each turn
+        kx, ky, kz = unit * kx, unit * ky, unit * kz
         put_frame(block, s, *rolled(dx, dy, dz, kx, ky, kz), *rolled(ax, ay, az, kx, ky, kz))
 
 

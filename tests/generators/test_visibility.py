@@ -2,15 +2,29 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 import pytest
 
-from generators.simplegen import SimpleGen
-from treefit.plant import Budget, Generator, Parameter
+from tests.generators.test_contract import GENERATORS
+from treefit.plant import Budget, Generator, Parameter, Plant, Values
 from treefit.view import Frame, OrthographicView
 
-UNSEEN = {"simplegen": {"branch_len_0"}, "simplegen_paper": {"branch_len_0"}}
-GENERATORS: dict[str, Generator] = {"simplegen": SimpleGen(), "simplegen_paper": SimpleGen(additions=False)}
+LOOK = {"lobes", "lobe_depth", "leaf_shape"}
+UNSEEN = {
+    "simplegen": {"branch_len_0"}, "simplegen_paper": {"branch_len_0"}, "weberpenn": LOOK, "weberpenn_full": LOOK,
+}  # fmt: skip
+BUDGET = Budget(12_000, 24_000)
+RANDOM = 6
+COARSE: dict[str, Values] = {
+    "weberpenn": {
+        "levels": 4, "ratio": 0.05, "ratio_power": 0.8, "leaves": 3, "leaf_scale": 0.5, "prune_ratio": 0.5,
+        **{f"branches_{n}": 5 for n in (1, 2, 3)}, **{f"length_{n}": 0.6 for n in (1, 2, 3)},
+        **{f"down_angle_{n}": 30 for n in (1, 2, 3)}, **{f"split_angle_{n}": 80 for n in range(4)},
+        **{f"curve_res_{n}": 4 for n in range(4)}, **{f"seg_splits_{n}": 0.3 for n in range(4)},
+    },
+}  # fmt: skip
 
 
 @pytest.mark.parametrize("name", GENERATORS)
@@ -22,14 +36,24 @@ def test_the_mask_sees_every_parameter_that_is_searched(name: str) -> None:
 
 
 def seen(generator: Generator, parameter: Parameter) -> bool:
-    """Whether the mask of one of a few random plants changes between the ends of a parameter's range."""
-    rng, view = np.random.default_rng(4), OrthographicView()
-    for _ in range(6):
-        values = generator.space.decode(rng.random(len(generator.space)))
-        masks = []
-        for gene in (0.1, 0.9):
-            plant = generator({**values, parameter.name: parameter.decode(gene)}, 1, Budget(20_000, 40_000))
-            masks.append(view(plant, Frame(128, 4)).unpack())
-        if (masks[0] != masks[1]).sum() > 20:
+    """Whether the mask of one of a few plants changes between the ends of a parameter's range."""
+    for values in samples(generator):
+        one, two = (mask(generator, {**values, parameter.name: parameter.decode(gene)}) for gene in (0.1, 0.9))
+        if (one != two).sum() > 20:
             return True
     return False
+
+
+def samples(generator: Generator) -> Iterator[Values]:
+    """Values of a plant of few but thick stems, of presets and random ones."""
+    yield generator.space.complete(COARSE.get(generator.name, {}))
+    for preset in generator.presets.values():
+        yield generator.space.complete(preset.values)
+    rng = np.random.default_rng(4)
+    for _ in range(RANDOM):
+        yield generator.space.decode(rng.random(len(generator.space)))
+
+
+def mask(generator: Generator, values: Values) -> np.ndarray:
+    plant: Plant = generator(values, 1, BUDGET)
+    return OrthographicView()(plant, Frame(128, 4)).unpack()

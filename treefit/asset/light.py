@@ -16,6 +16,7 @@ SUN = np.array([-0.38, -0.50, 0.78], dtype=np.float32)  # towards the sun: left,
 SUN /= np.linalg.norm(SUN)
 _CELLS = 24  # of the longest side of the crown
 _MAP = 640  # pixels of the sun's view
+_BLOCK = 16_384  # points at a time, so that they stay in the cache
 _EXTINCTION = 0.35  # loss of light per leaf area over ground area; under the physical 0.5 so the inside stays readable
 
 
@@ -56,15 +57,24 @@ def _blurred(layer: NDArray[np.float64]) -> NDArray[np.float64]:
 
 def _sample(grid: NDArray[np.float64], at: Floats) -> Floats:
     """Trilinear values (n,) of `grid` at `at` (n, 3) in cells."""
-    at = np.clip(at, 0, np.array(grid.shape) - 1.001)
-    low = at.astype(np.int64)
-    part = at - low
-    value = np.zeros(len(at))
-    for corner in np.ndindex(2, 2, 2):
-        weight = np.prod(np.where(corner, part, 1 - part), axis=1)
-        x, y, z = (low + corner).T
-        value += weight * grid[x, y, z]
-    return value.astype(np.float32)
+    values = np.empty(len(at), dtype=np.float32)
+    for first in range(0, len(at), _BLOCK):
+        block = slice(first, first + _BLOCK)
+        values[block] = _trilinear(grid, at[block])
+    return values
+
+
+def _trilinear(grid: NDArray[np.float64], at: Floats) -> NDArray[np.float64]:
+    inside = np.clip(at, 0, np.array(grid.shape) - 1.001)
+    low = inside.astype(np.int64)
+    part = (inside - low).T
+    ways = np.stack([1 - part, part])  # (2, 3, n): weights of the lower and the upper cell along every axis
+    first = np.ravel_multi_index(tuple(low.T), grid.shape)
+    cells, value = grid.ravel(), np.zeros(len(at))
+    for x, y, z in np.ndindex(2, 2, 2):
+        there = first + int(np.ravel_multi_index((x, y, z), grid.shape))
+        value += ways[x, 0] * ways[y, 1] * ways[z, 2] * cells[there]
+    return value
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,7 +87,7 @@ class SunMap:
 
     def project(self, place: Floats) -> Floats:
         """Column, row, depth (n, 3) in the map of `place` (n, 3)."""
-        return np.asarray(place @ self.turn.T + self.shift, dtype=np.float32)
+        return np.asarray(np.einsum("ni,ji->nj", place, self.turn) + self.shift, dtype=np.float32)
 
 
 def sun_map(place: Floats, faces: NDArray[np.int32]) -> SunMap:
@@ -85,11 +95,10 @@ def sun_map(place: Floats, faces: NDArray[np.int32]) -> SunMap:
     right = np.cross([0.0, 0.0, 1.0], SUN)
     right /= np.linalg.norm(right)
     turn = np.stack([right, np.cross(SUN, right), -SUN]).astype(np.float32)
-    seen = place @ turn.T
+    seen = np.einsum("ni,ji->nj", place, turn)  # a tenth of the time of `@` with three columns
     low, high = seen.min(axis=0), seen.max(axis=0)
     scale = (_MAP - 8) / max(float((high - low)[:2].max()), 1e-6)
     stretch = np.array([scale, scale, 1], dtype=np.float32)
     shift = np.array([4 - scale * low[0], 4 - scale * low[1], 0], dtype=np.float32)
-    turn *= stretch[:, None]
-    _, depth = nearest_triangles(place @ turn.T + shift, faces, _MAP, _MAP)
-    return SunMap(depth, turn, shift)
+    _, depth = nearest_triangles(seen * stretch + shift, faces, _MAP, _MAP)
+    return SunMap(depth, turn * stretch[:, None], shift)

@@ -40,7 +40,11 @@ class Generator(Protocol):
 
     @property
     def size_parameter(self) -> str | None:
-        """Parameter that only scales the plant, which no picture can see; None when there is none."""
+        """Parameter that sets the size in metres, which no picture can see, and nothing else; None when there is none.
+
+        The plant is as many times as large as its value: all positions and radii. Lengths of leaves go with it, or have
+        a parameter of their own.
+        """
 
     @property
     def space(self) -> ParameterSpace:
