@@ -1,7 +1,7 @@
 """Ranges in which most random genomes are plausible trees, and what is fixed in them.
 
-The crown's outline is the envelope of the pruning (shape 8): four numbers that change it smoothly, where the shapes 0 to
-7 are eight steps. What another parameter does as well, or what shows in no mask of some thousand vertices, is fixed.
+The crown's outline is the envelope of the pruning (shape 8): four numbers that change it smoothly, where shapes 0 to 7
+are eight steps. What another parameter does as well, or what shows in no mask of some thousand vertices, is fixed.
 """
 
 from __future__ import annotations
@@ -13,8 +13,8 @@ from generators.weberpenn.parameters import FULL, PARAMETERS
 from treefit.plant import Parameter, ParameterSpace, Value
 
 RANGES: Mapping[str, tuple[float, float]] = {
-    "base_size": (0.02, 0.75), "levels": (3, 4), "ratio": (0.006, 0.035), "ratio_power": (0.9, 1.8), "flare": (0.0, 1.0),
-    "leaves": (4, 50), "leaf_scale": (0.1, 0.45), "attraction_up": (-2.5, 1.5),
+    "base_size": (0.02, 0.75), "levels": (3, 4), "ratio": (0.006, 0.035), "ratio_power": (0.9, 1.8),
+    "flare": (0.0, 1.0), "leaves": (4, 50), "leaf_scale": (0.1, 0.45), "attraction_up": (-2.5, 1.5),
     "prune_ratio": (0.0, 1.0), "prune_width": (0.12, 0.6), "prune_width_peak": (0.08, 0.85),
     "prune_power_low": (0.15, 1.2), "prune_power_high": (0.15, 1.4),
     "length_0": (0.6, 1.05), "taper_0": (0.6, 1.0), "seg_splits_0": (0.0, 0.2), "split_angle_0": (5, 40),
@@ -24,15 +24,16 @@ RANGES: Mapping[str, tuple[float, float]] = {
     "curve_1": (-80, 80), "curve_back_1": (-80, 80), "curve_v_1": (0, 120), "bend_v_1": (0, 100),
     "radius_mod_1": (0.4, 1.0), "base_size_1": (0.0, 0.5), "whorl_1": (1, 5),
     "down_angle_2": (20, 90), "down_angle_v_2": (-40, 30), "rotate_2": (-120, 150), "branches_2": (7, 50),
-    "length_2": (0.15, 0.7), "length_v_2": (0.0, 0.15), "curve_2": (-90, 90), "curve_back_2": (-60, 60), "curve_v_2": (0, 120),
-    "base_size_2": (0.0, 0.5), "whorl_2": (1, 3),
+    "length_2": (0.15, 0.7), "length_v_2": (0.0, 0.15), "curve_2": (-90, 90), "curve_back_2": (-60, 60),
+    "curve_v_2": (0, 120), "base_size_2": (0.0, 0.5), "whorl_2": (1, 3),
     "down_angle_3": (20, 90), "branches_3": (2, 8), "length_3": (0.15, 0.7),
 }  # fmt: skip
 
 LOG = ("ratio", "leaves", "leaf_scale", "branches_1", "length_1", "branches_2", "length_2", "branches_3", "length_3")
 
 FIXED: Mapping[str, Value] = {
-    "shape": 8, "base_splits": 0, "leaf_scale_x": 0.6, "leaf_bend": 0.3, "scale_0": 1.0, "scale_v_0": 0.0, "length_v_0": 0.0, "split_angle_v_0": 5.0, "curve_res_0": 8,
+    "shape": 8, "base_splits": 0, "leaf_scale_x": 0.6, "leaf_bend": 0.3, "scale_0": 1.0, "scale_v_0": 0.0,
+    "length_v_0": 0.0, "split_angle_v_0": 5.0, "curve_res_0": 8,
     "rotate_1": 140.0, "taper_1": 1.0, "split_angle_v_1": 5.0, "curve_res_1": 5,
     "rotate_v_2": 20.0, "taper_2": 1.0, "seg_splits_2": 0.0, "split_angle_2": 20.0, "split_angle_v_2": 0.0,
     "curve_res_2": 3, "bend_v_2": 40.0, "radius_mod_2": 1.0,
