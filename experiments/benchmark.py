@@ -17,6 +17,8 @@ from rich.table import Table
 from experiments.build import build
 from experiments.numbers import rounded
 from experiments.page_faults import faults_per_call
+from experiments.plant_speed import plant_speed
+from experiments.preset import wanted_plant
 from experiments.rival_views import rivals
 from experiments.run_folder import run_folder
 from experiments.settings import read_settings
@@ -32,6 +34,8 @@ from treefit.similarity import PaperSimilarity, Similarity
 from treefit.view import Frame
 
 VERTICES, LEAVES = 5_000, 10_000  # of the trees that are measured
+LARGE_VERTICES, LARGE_LEAVES, LARGE_TREES, LARGE_DRAWS = 100_000, 200_000, 2, 300
+LARGE_BUDGET = Budget(2 * LARGE_VERTICES, 2 * LARGE_LEAVES)
 TREES, FEW = 8, 2  # FEW: for views that take some tenths of a second
 BATCHES, BATCH = 5, 320  # evaluations on one and on two threads
 
@@ -45,6 +49,9 @@ def run(cfg: DictConfig) -> None:
     similarity = cast(Similarity[Any], build(cfg.similarity, "similarity"))
     settings = read_settings(cfg)
     facts = measure(generator, view, similarity, settings.seed)
+    if settings.preset is not None:
+        values, seed = wanted_plant(cfg, generator)
+        facts["preset"] = {"name": settings.preset, **plant_speed(_aimed(generator, view, similarity, seed), [values])}
     if settings.benchmark.startup:
         facts["first_evaluation_seconds"] = first_evaluation_seconds(run_folder() / "config.yaml")
     console = Console()
@@ -75,7 +82,22 @@ def measure(generator: Generator, view: View, similarity: Similarity[Any], seed:
         "two_threads_ratio": _two_threads_ratio(objective, genomes),
         "azimuths_4_ratio": _azimuths_ratio(view, plants, frame),
         **_rival_ratios(view, plants, frame),
+        "large": large(generator, view, similarity, seed),
     }
+
+
+def large(generator: Generator, view: View, similarity: Similarity[Any], seed: int) -> Facts:
+    """Speed of trees of some 100,000 vertices and twice as many leaves, as random genomes come nearest to it."""
+    (genomes,) = trees_of(generator, [(LARGE_VERTICES, LARGE_LEAVES)], LARGE_TREES, seed, LARGE_DRAWS)
+    objective = _aimed(generator, view, similarity, seed)
+    return plant_speed(objective, [generator.space.decode(genome) for genome in genomes])
+
+
+def _aimed(generator: Generator, view: View, similarity: Similarity[Any], seed: int) -> Objective:
+    """Objective whose target is the generator's tree of the middle genome, with room for large plants."""
+    frame, middle = Frame(view.resolution, 4), np.full(len(generator.space), 0.5)
+    plant = generator(generator.space.decode(middle), seed, LARGE_BUDGET)
+    return aim(view(plant, frame).unpack(), generator, similarity, Characteristics(), view, seed, LARGE_BUDGET)
 
 
 def compare_us(similarity: Similarity[Any], view: View, plants: Sequence[Plant], frame: Frame) -> Facts:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, fields
 
 import numpy as np
@@ -14,7 +15,7 @@ from experiments.grow import BUDGET
 from treefit.asset import AssetSettings, picture
 from treefit.asset.frame import TREE_SHARE, Frame
 from treefit.mask import PALETTE
-from treefit.plant import Generator, Plant, Values, check_plant
+from treefit.plant import Budget, Generator, Plant, Values, check_plant
 from treefit.plant.extent import Extent, extent_of
 from treefit.view import Frame as Window
 from treefit.view import OrthographicView
@@ -22,6 +23,8 @@ from treefit.view import OrthographicView
 WIDTH = 1.06  # of a cell by its height
 _SIDE_ROOM = 0.05  # of a cell's height, left and right of the widest plant
 _MASK_ROWS, _MOST_WORDS = 256, 128
+_FINER = 2
+_THREADS = 2  # more wait for each other
 
 Picture = NDArray[np.uint8]  # (h, w, 3) sRGB
 
@@ -62,11 +65,11 @@ class Drawing:
         """Cells of `plants` at one scale; a text instead of a plant is the reason why there is none."""
         extents = [extent_of(plant) for plant in plants if isinstance(plant, Plant)]
         scale = _scale(extents) if extents else 1.0
-        cells: list[Cell] = []
-        for i, plant in enumerate(plants):
-            twin = next((j for j in range(i) if same(plants[j], plant)), None)
-            cells.append(self._cell(plant, scale) if twin is None else cells[twin])
-        return cells
+        drawn = [next(j for j in range(i + 1) if same(plants[j], plant)) for i, plant in enumerate(plants)]
+        alone = sorted(set(drawn))
+        with ThreadPoolExecutor(_THREADS) as pool:
+            cells = dict(zip(alone, pool.map(lambda i: self._cell(plants[i], scale), alone), strict=True))
+        return [cells[i] for i in drawn]
 
     def _cell(self, plant: Plant | str, scale: float) -> Cell:
         if isinstance(plant, str):
@@ -74,7 +77,7 @@ class Drawing:
         shaded = mask = None
         try:
             if self.look != "mask":
-                shaded = picture(plant, self.asset, _frame(self.height, scale))
+                shaded = _shaded_panel(plant, self.asset, _frame(self.height, scale))
             if self.look != "shaded":
                 mask = _mask_panel(plant, _frame(self.mask_height, scale))
         except Exception as error:
@@ -82,10 +85,10 @@ class Drawing:
         return Cell(shaded, mask)
 
 
-def grow(generator: Generator, values: Values, seed: int) -> Plant | str:
+def grow(generator: Generator, values: Values, seed: int, budget: Budget = BUDGET) -> Plant | str:
     """Plant of `values`, or the reason why there is none: whatever a generator does, the sheet goes on."""
     try:
-        plant = generator(values, seed, BUDGET)
+        plant = generator(values, seed, budget)
         check_plant(plant)
     except Exception as error:
         return one_line(error)
@@ -114,6 +117,12 @@ def _frame(height: int, scale: float) -> Frame:
 
 def _width(height: int) -> int:
     return 2 * round(height * WIDTH / 2)
+
+
+def _shaded_panel(plant: Plant, asset: AssetSettings, frame: Frame) -> Picture:
+    """Picture of `plant`, drawn larger than it is shown: twigs as wide as a small pixel would hide the leaves."""
+    large = Image.fromarray(picture(plant, asset, frame.finer(_FINER)))
+    return np.asarray(large.resize((frame.width, frame.height), Image.Resampling.BOX), dtype=np.uint8)
 
 
 def _mask_panel(plant: Plant, frame: Frame) -> Picture:

@@ -54,16 +54,16 @@ on the twigs of the willow.
 ## The rule of leaves
 
 A stem of the last level has `leaves` x ShapeRatio(4, r) leaves: half of `leaves` where it stands at the foot of its
-parent, all at its tip; rounded up or down by a draw of the stem, so that the mean is exact, and shared among its clones.
-Arbaro has the same ratio, but as many leaves on its willow as if every twig had all of them; tree-gen counts leaves by
-the length of a stem.
+parent, all at its tip; rounded up or down by a draw of the stem, so that the mean is exact, and shared among its
+clones. Arbaro has the same ratio, but as many leaves on its willow as if every twig had all of them; tree-gen counts
+leaves by the length of a stem.
 
 ## What else is not the same
 
 A child at the share x of its parent is shorter by 0.6 x from level 2 on, which is the paper's; tree-gen has 0.7, hence
-its shorter stems. Pruned stems of the willow are as long as fits the envelope, by bisection; those of the others come out somewhat
-shorter. The variation of the trunk's radius, `scale_v_0`, is drawn here; the others' trunks have the
-mean. tree-gen's thinnest twigs are thicker than the formula. Our trunk has up to four vertices more, for its flare.
+its shorter stems. Pruned stems of the willow are as long as fits the envelope, by bisection; those of the others come
+out somewhat shorter. The variation of the trunk's radius, `scale_v_0`, is drawn here; the others' trunks have the mean.
+tree-gen's thinnest twigs are thicker than the formula. Our trunk has up to four vertices more, for its flare.
 """
 
 

@@ -8,7 +8,9 @@ import numpy as np
 from numba import njit
 
 from generators.compiling import INNER
-from generators.weberpenn.rules import CHILD, COUNTED
+from generators.weberpenn.picks import PLACE, PX, PY, PZ, SPIN
+from generators.weberpenn.power import power
+from generators.weberpenn.rules import COUNTED
 from generators.weberpenn.shapes import shape_ratio, unit_taper
 from generators.weberpenn.stems import (
     BACK,
@@ -17,9 +19,6 @@ from generators.weberpenn.stems import (
     BLOCK,
     COUNT,
     DUE,
-    DX,
-    DY,
-    DZ,
     FILL,
     LONG,
     MADE,
@@ -37,82 +36,34 @@ from generators.weberpenn.stems import (
 from generators.weberpenn.turning import placed
 from treefit.plant.streams import child_key, circle, two
 
-PLACE, SPIN, FREE = 0, BLOCK, 2 * BLOCK
-"""Rows of the picks' numbers: share of the stem where a child begins, turn around it; the first free row."""
-_ZERO, _HALF, _ONE, _TWO, _SMALL = (np.float32(x) for x in (0.0, 0.5, 1.0, 2.0, 1e-5))
+_ZERO, _ONE, _TWO, _SMALL = (np.float32(x) for x in (0.0, 1.0, 2.0, 1e-5))
+_FIRST, _BIT = np.float32(0.50002), np.float32(1e-3)
+"""A half, and what counts get before they are rounded down: a bit over, so that errors of rounding have no say."""
 _0_2, _0_5, _0_6, _0_8, _1_6 = (np.float32(x) for x in (0.2, 0.5, 0.6, 0.8, 1.6))
 
 
 @njit(**INNER)
 def count_children(rule, level, leafy, block, keys, count):
-    """How many children the stems of a block should have, whole numbers (sec. 4.3 and 4.6).
+    """Set how many children the stems of a block should have, whole numbers (sec. 4.3 and 4.6); return the sum.
 
     Stems are rounded down; of leaves, which may be few, a share of the stems has one more, so that the mean is exact.
     """
-    most = np.float32(rule.children)
+    most, total = np.float32(rule.children), np.int64(0)
+    base, slope, row = _ONE, _ZERO, BEGIN
+    if leafy:
+        base, slope = _0_5, _0_5  # ShapeRatio(4)
+    elif level == 1:
+        base, slope, row = _0_2, _0_8, FILL
+    elif level > 1:
+        slope = -_0_5
     for s in range(count):
-        share = _ONE
-        if leafy:
-            share = _0_5 + _0_5 * block[BEGIN + s]  # ShapeRatio(4)
-        elif level == 1:
-            share = _0_2 + _0_8 * block[FILL + s]
-        elif level > 1:
-            share = _ONE - _0_5 * block[BEGIN + s]
-        number = abs(most) * share + _SMALL
-        if leafy:
-            number += two(child_key(keys[s], COUNTED))[0]
-        block[COUNT + s] = math.copysign(np.float32(math.floor(number)), most)
-        block[MADE + s] = _HALF
-
-
-@njit(**INNER)
-def pick(rule, key, start, end, last, block, s, child, work, owners, keys, picked):
-    """List the children of stem `s` between the shares `start` and `end` of its length behind `picked` others.
-
-    Return their count and the number of the `child` from which to go on when the list was full, 0 when it was not.
-    """
-    if rule.children < 0:
-        return _pick_fan(rule, key, block, s, work, owners, keys, picked) if last else (picked, 0)
-    bare, whorl = np.float32(rule.bare), int(rule.whorl)
-    rate = block[COUNT + s] / ((_ONE - bare) * np.float32(whorl))
-    low, made = max(start, bare), block[MADE + s]
-    after = made + rate * max(end - low, _ZERO)
-    for each in range(max(child, int(made) + 1), int(after) + 1):
-        if picked + whorl > BLOCK:
-            return picked, each
-        twig = child_key(key, CHILD + each)
-        u, _ = two(twig)
-        turn = np.float32(rule.rotate) + np.float32(rule.rotate_v) * (_TWO * u - _ONE)
-        if rule.rotate >= 0:  # on from the last
-            turn += block[TURN + s]
-            turn -= np.float32(int(turn))
-            block[TURN + s] = turn
-        else:  # one side and the other in turn
-            turn = _HALF + turn if each % 2 == 0 else -_HALF - turn
-        place = low + (np.float32(each) - made) / rate
-        for w in range(whorl):
-            work[PLACE + picked], owners[picked] = place, s
-            work[SPIN + picked] = turn + np.float32(w) / np.float32(whorl)
-            keys[picked] = child_key(twig, w)
-            picked += 1
-    block[MADE + s] = after
-    return picked, 0
-
-
-@njit(**INNER)
-def _pick_fan(rule, key, block, s, work, owners, keys, picked):
-    """List the children of a stem that stand in a fan of `rotate` turns at its tip, when there is room for all."""
-    number = min(int(-block[COUNT + s]), BLOCK)
-    if picked + number > BLOCK:
-        return picked, 1
-    for child in range(number):
-        twig = child_key(key, CHILD + child)
-        u, _ = two(twig)
-        at = np.float32(child) / np.float32(max(number - 1, 1)) - _HALF
-        work[PLACE + picked], owners[picked], keys[picked] = _ONE, s, twig
-        work[SPIN + picked] = np.float32(rule.rotate) * at + np.float32(rule.rotate_v) * (_TWO * u - _ONE)
-        picked += 1
-    return picked, 0
+        number = abs(most) * (base + slope * block[row + s])
+        number += two(child_key(keys[s], COUNTED))[0] if leafy else _BIT
+        whole = np.int32(number)
+        total += whole
+        block[COUNT + s] = math.copysign(np.float32(whole), most)
+        block[MADE + s] = _FIRST
+    return total
 
 
 @njit(**INNER)
@@ -125,37 +76,37 @@ def down_angle(rule, place, u):
 
 
 @njit(**INNER)
-def put_stems(rule, tree, level, end, parents, b, picked, work, owners, keys, children, m):
+def put_stems(rule, tree, level, parents, b, picked, work, owners, twigs, children, m):
     """Put the picked children of block `b` as stems behind the first `m` of `children`; return (stems, no room)."""
-    block, fan = parents.numbers[b], rule.children < 0
+    block, fan, whorl = parents.numbers[b], rule.children < 0, 1 if rule.children < 0 else int(rule.whorl)
     bare = np.float32(rule.bare)
     for i in range(picked):
-        if m >= children.keys.size:
-            return m, True
         s, place = owners[i], work[PLACE + i]
-        u, v = two(keys[i])
-        due, turn = two(child_key(keys[i], 0))
         fill = _ONE - _0_6 * place
         if level == 0:
             fill = np.float32(shape_ratio(int(tree.shape), (_ONE - place) / (_ONE - bare), tree))
-        long = np.float32(rule.length) + np.float32(rule.length_v) * (_TWO * v - _ONE)
-        long = max(block[LONG + s] * fill * long, _SMALL)
-        at, target = m % BLOCK, children.numbers[m // BLOCK]
-        c, w = circle(down_angle(rule, place, u))
-        p, q = circle(work[SPIN + i])
-        put_frame(target, at, *placed(*frame_of(block, s), p, q, c, w, fan))
-        back = (end - place) * block[LONG + s]
-        target[X + at] = block[X + s] - back * block[DX + s]
-        target[Y + at] = block[Y + s] - back * block[DY + s]
-        target[Z + at] = max(block[Z + s] - back * block[DZ + s], _ZERO)
         there = block[THICK + s] * (_ONE - unit_taper(rule.taper) * place)
-        thick = block[THICK + s] * np.float32((long / block[LONG + s]) ** tree.ratio_power)
-        target[LONG + at], target[THICK + at] = long, np.float32(rule.radius) * min(thick, there)
-        target[BEGIN + at], target[FILL + at] = place, fill
-        target[TURN + at], target[BACK + at], target[DUE + at] = turn, _ZERO, due
-        vertices = children.vertices[m // BLOCK]
-        vertices[PARENT + at], vertices[STEM + at] = parents.vertices[b, BEFORE + s], m
-        vertices[NOW + at] = vertices[BEFORE + at] = 0
-        children.keys[m // BLOCK, at] = keys[i]
-        m += 1
+        for w in range(whorl):
+            if m >= children.keys.size:
+                return m, True
+            key = child_key(twigs[i], w)
+            u, v = two(key)
+            due, turn = two(child_key(key, 0))
+            long = np.float32(rule.length) + np.float32(rule.length_v) * (_TWO * v - _ONE)
+            long = max(block[LONG + s] * fill * long, _SMALL)
+            at, target = m % BLOCK, children.numbers[m // BLOCK]
+            c, z = circle(down_angle(rule, place, u))
+            p, q = circle(work[SPIN + i] + np.float32(w) / np.float32(whorl))
+            put_frame(target, at, *placed(*frame_of(block, s), p, q, c, z, fan))
+            target[X + at], target[Y + at] = work[PX + i], work[PY + i]
+            target[Z + at] = max(work[PZ + i], _ZERO)
+            thick = block[THICK + s] * power(long / block[LONG + s], np.float32(tree.ratio_power))
+            target[LONG + at], target[THICK + at] = long, np.float32(rule.radius) * min(thick, there)
+            target[BEGIN + at], target[FILL + at] = place, fill
+            target[TURN + at], target[BACK + at], target[DUE + at] = turn, _ZERO, due
+            vertices = children.vertices[m // BLOCK]
+            vertices[PARENT + at], vertices[STEM + at] = parents.vertices[b, BEFORE + s], m
+            vertices[NOW + at] = vertices[BEFORE + at] = 0
+            children.keys[m // BLOCK, at] = key
+            m += 1
     return m, False

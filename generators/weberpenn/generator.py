@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
+from operator import itemgetter
 from pathlib import Path
 from typing import Any, ClassVar
 
@@ -26,6 +27,20 @@ SMALLEST = 0.5
 _SCRATCH = Scratch()
 _TURN = 1.0 / 360.0
 
+_OWN = tuple(
+    itemgetter(*(f"{name}_{n}" for name in (
+        "curve_res", "curve", "curve_back", "curve_v", "bend_v", "taper", "seg_splits", "split_angle", "split_angle_v"
+    )))
+    for n in range(LEVELS)
+)  # fmt: skip
+_CHILDREN = tuple(
+    itemgetter(*(f"{name}_{min(n + 1, LEVELS - 1)}" for name in (
+        "down_angle", "down_angle_v", "rotate", "rotate_v", "length", "length_v", "radius_mod"
+    )))
+    for n in range(LEVELS)
+)  # fmt: skip
+"""Values of the stems of each level and of what grows on them, out of all; leaves have angles of their own level."""
+
 
 @dataclass(frozen=True)
 class WeberPennGen:
@@ -46,13 +61,14 @@ class WeberPennGen:
 
     @cached_property
     def presets(self) -> Mapping[str, Preset]:
-        """Species by name."""
-        return read_presets(SPECIES)
+        """Species by name, with all values: what a file leaves out is not what a search has it fixed to."""
+        found = read_presets(SPECIES).items()
+        return {name: replace(preset, values=FULL.complete(preset.values)) for name, preset in found}
 
     def __call__(self, values: Values, seed: int, budget: Budget) -> Plant:
         """Plant grown from `values` by name, `scale` metres high (leaf_scale is in metres of its own)."""
         key = seed_key(seed)
-        tree = _tree_rule(values, *two(child_key(key, 2)), *two(child_key(key, 3)))
+        tree = _tree_rule(values, *map(float, (*two(child_key(key, 2)), *two(child_key(key, 3)))))
         told = [*tree, *(number for level in range(int(tree.levels)) for number in _level_rule(values, level))]
         numbers, integers = np.empty((4, budget.vertices), np.float32), np.empty((2, budget.vertices), np.int32)
         leaves = np.empty((11, budget.leaves), np.float32)
@@ -78,17 +94,15 @@ def _tree_rule(v: Mapping[str, Any], u1: float, u2: float, u3: float, _: float) 
 
 def _level_rule(v: Mapping[str, Any], n: int) -> LevelRule:
     """Rule of the stems of level `n` and of where their children begin; angles become turns."""
+    segments, curve, back, curve_v, bend_v, taper, splits, split_angle, split_angle_v = _OWN[n](v)
+    down, down_v, rotate, rotate_v, *lengths = _CHILDREN[n](v)
     leafy, child = n == v["levels"] - 1, min(n + 1, LEVELS - 1)
-    segments = float(v[f"curve_res_{n}"])
-    curve, back, curve_v = v[f"curve_{n}"] * _TURN, v[f"curve_back_{n}"] * _TURN, v[f"curve_v_{n}"] * _TURN
-    halves = (curve / segments, curve / segments) if back == 0 else (2 * curve / segments, 2 * back / segments)
+    part = _TURN / segments
+    halves = (curve * part, curve * part) if back == 0 else (2 * curve * part, 2 * back * part)
     bare = v["base_size"] * v["scale"] / max(v["length_0"] * v["scale"], 1e-6) if n == 0 else v[f"base_size_{n}"]
     return LevelRule(
-        segments, *halves, -curve_v if curve_v < 0 else curve_v / segments, curve_v < 0,
-        v[f"bend_v_{n}"] * _TURN / segments,
-        v[f"taper_{n}"], v[f"seg_splits_{n}"], v[f"split_angle_{n}"] * _TURN, v[f"split_angle_v_{n}"] * _TURN,
-        min(bare, 0.99), v["leaves"] if leafy else v[f"branches_{child}"], 1 if leafy else v[f"whorl_{child}"],
-        v[f"down_angle_{child}"] * _TURN, v[f"down_angle_v_{child}"] * _TURN,
-        v[f"rotate_{child}"] * _TURN, v[f"rotate_v_{child}"] * _TURN,
-        v[f"length_{child}"], v[f"length_v_{child}"], v[f"radius_mod_{child}"],
+        segments, *halves, -curve_v * _TURN if curve_v < 0 else curve_v * part, curve_v < 0, bend_v * part,
+        taper, splits, split_angle * _TURN, split_angle_v * _TURN, min(bare, 0.99),
+        v["leaves"] if leafy else v[f"branches_{child}"], 1 if leafy else v[f"whorl_{child}"],
+        down * _TURN, down_v * _TURN, rotate * _TURN, rotate_v * _TURN, *lengths,
     )  # fmt: skip

@@ -11,8 +11,9 @@ from numba.np.unsafe.ndarray import to_fixed_tuple
 from numpy.typing import NDArray
 
 from generators.compiling import FAST, INNER, ONCE
-from generators.weberpenn.children import count_children, pick, put_stems
+from generators.weberpenn.children import count_children, put_stems
 from generators.weberpenn.leaves import WORK, put_leaves
+from generators.weberpenn.picks import ROW, pick
 from generators.weberpenn.pruning import prune
 from generators.weberpenn.rules import LevelRule, TreeRule
 from generators.weberpenn.splits import split
@@ -55,16 +56,16 @@ class Scratch(threading.local):
     def __init__(self) -> None:
         self.stems: tuple[NDArray[np.generic], ...] = ()
         self.blocks = 0
-        self.picks = (np.zeros(WORK, np.float32), np.zeros(BLOCK, np.int32), np.zeros(BLOCK, np.uint32))
+        self.picks = (np.zeros(WORK, np.float32), np.zeros(ROW, np.int32), np.zeros(ROW, np.uint32))
 
-    def room(self, stems: int) -> tuple[tuple[NDArray[np.generic], ...], tuple[NDArray[np.generic], ...]]:
-        """Return its arrays, with room for `stems` stems of a level, those of the next and as many to try with."""
-        blocks = (stems + BLOCK - 1) // BLOCK
+    def room(self, vertices: int) -> tuple[tuple[NDArray[np.generic], ...], tuple[NDArray[np.generic], ...]]:
+        """Return its arrays, with room for the stems of a level, those of the next and as many to try with."""
+        blocks = vertices // BLOCK + 1  # a clone of the last segment has a single vertex
         if self.blocks < blocks:
             self.blocks = blocks
             self.stems = (
                 np.zeros((3, blocks, FLOATS), np.float32), np.zeros((3, blocks, INTS), np.int32),
-                np.zeros((3, blocks, BLOCK), np.uint32), np.zeros(blocks * BLOCK, np.float32),
+                np.zeros((3, blocks, BLOCK), np.uint32),
             )  # fmt: skip
         return self.stems, self.picks
 
@@ -74,7 +75,7 @@ class Picks(NamedTuple):
 
     work: NDArray[np.float32]
     owners: NDArray[np.int32]
-    keys: NDArray[np.uint32]
+    twigs: NDArray[np.uint32]
 
 
 @njit(**FAST)
@@ -84,10 +85,10 @@ def grow(told, key, scratch, picks, numbers, integers, leaves):
     `told` are the numbers of the tree's rule and of those of its levels. `numbers` (4, v) takes x, y, z, radius,
     `integers` (2, v) parent and level, `leaves` (11, k) position, axis, normal, size.
     """
-    stem_numbers, stem_vertices, stem_keys, scales = scratch
+    stem_numbers, stem_vertices, stem_keys = scratch
     tree = TreeRule(*_fixed(told[:_TREE], _TREE))
     wood, picks = Wood(numbers, integers), Picks(*picks)
-    blocks = (numbers.shape[1] + BLOCK - 1) // BLOCK  # of this budget: there may be more, from a plant before
+    blocks = numbers.shape[1] // BLOCK + 1  # a scratch may have more, of which a plant must not know
     stems = Stems(stem_numbers[0, :blocks], stem_vertices[0, :blocks], stem_keys[0, :blocks])
     children = Stems(stem_numbers[1, :blocks], stem_vertices[1, :blocks], stem_keys[1, :blocks])
     trial = Stems(stem_numbers[2, :blocks], stem_vertices[2, :blocks], stem_keys[2, :blocks])
@@ -97,9 +98,11 @@ def grow(told, key, scratch, picks, numbers, integers, leaves):
     for level in range(levels):
         start = _TREE + level * _LEVEL
         rule = LevelRule(*_fixed(told[start : start + _LEVEL], _LEVEL))
-        if level > 0 and tree.prune_ratio > 0:
-            prune(rule, tree, level, stems, m, trial, scales)
+        if level > 0 and tree.prune_ratio > 0 and prune(rule, tree, level, stems, m, trial, numbers.shape[1] - n):
+            return n, k, True
         leafy = level == levels - 1
+        if _certainly_over(rule, tree, level, leafy, told, stems, m, numbers.shape[1] - n, leaves.shape[1]):
+            return n, k, True
         m, n, k, cut = _grow_level(rule, tree, level, leafy, stems, m, wood, n, picks, children, leaves, k)
         if cut or m == 0:
             break
@@ -122,12 +125,29 @@ def _begin(tree, stems, key):
 
 
 @njit(**ONCE)
+def _certainly_over(rule, tree, level, leafy, told, stems, m, vertices, leaves):
+    """Count the children of a level; return whether it and they are sure to be more than `vertices` or `leaves`.
+
+    Only stems that neither split nor have whorls are sure to have as many children as they should.
+    """
+    children, own = np.int64(0), m * np.int64(rule.segments + 1)
+    for b in range((m + BLOCK - 1) // BLOCK):
+        block, width = stems.numbers[b], min(BLOCK, m - b * BLOCK)
+        children += count_children(rule, level, leafy, block, stems.keys[b], width)
+    if rule.splits > 0 or rule.whorl > 1 or (level == 0 and tree.base_splits > 0):
+        children = np.int64(0)
+    if leafy:
+        return own > vertices or children > leaves
+    below = told[_TREE + (level + 1) * _LEVEL]  # the first number of a level's rule: its segments
+    return own + children * np.int64(below + 1) > vertices
+
+
+@njit(**ONCE)
 def _grow_level(rule, tree, level, leafy, stems, m, wood, n, picks, children, leaves, k):
     """Grow the first `m` stems of a level; return (children, vertices, leaves, whether the budget cut it)."""
     count = np.int64(0)
     for b in range((m + BLOCK - 1) // BLOCK):
         width = min(BLOCK, m - b * BLOCK)
-        count_children(rule, level, leafy, stems.numbers[b], stems.keys[b], width)
         n, cut = put_bases(tree, level, wood, n, stems.numbers[b], stems.vertices[b], width)
         if cut:
             return count, n, k, True
@@ -137,7 +157,7 @@ def _grow_level(rule, tree, level, leafy, stems, m, wood, n, picks, children, le
         parts = 1
         if level == 0 and segment == 1 and tree.flare > 0:
             for stop in FLARE_STOPS:
-                parts += stop < end
+                parts += 1 if stop < end else 0
         low = start
         for part in range(parts):
             high = FLARE_STOPS[part] if part < parts - 1 else end
@@ -156,7 +176,7 @@ def _grow_level(rule, tree, level, leafy, stems, m, wood, n, picks, children, le
             low = high
         if segment < segments:
             m, cut = split(rule, level, int(tree.base_splits), segment, stems, m)
-            if cut:
+            if cut or n + (segments - segment) * m > wood.numbers.shape[1]:
                 return count, n, k, True
     return count, n, k, False
 
@@ -164,22 +184,14 @@ def _grow_level(rule, tree, level, leafy, stems, m, wood, n, picks, children, le
 @njit(**ONCE)
 def _put_children(rule, tree, level, leafy, low, high, stems, b, width, picks, children, count, leaves, k):
     """Put the children of a block between two shares of its length; return (stems, leaves, whether one was cut)."""
-    block, picked, last, cut = stems.numbers[b], np.int64(0), high >= _ONE, False
-    work, owners, keys = picks
-    for s in range(width):
-        child = np.int64(0)
-        while True:
-            picked, child = pick(rule, stems.keys[b, s], low, high, last, block, s, child, work, owners, keys, picked)
-            if child > 0 or s == width - 1:
-                if leafy:
-                    k, cut = put_leaves(rule, tree, high, block, picked, work, owners, keys, leaves, k)
-                else:
-                    count, cut = put_stems(
-                        rule, tree, level, high, stems, b, picked, work, owners, keys, children, count
-                    )
-                picked = np.int64(0)
-            if cut:
-                return count, k, True
-            if child == 0:
-                break
+    work, owners, twigs = picks
+    s = child = np.int64(0)
+    while s < width:
+        picked, s, child = pick(rule, low, high, stems.numbers[b], stems.keys[b], width, s, child, work, owners, twigs)
+        if leafy:
+            k, cut = put_leaves(rule, tree, picked, work, twigs, leaves, k)
+        else:
+            count, cut = put_stems(rule, tree, level, stems, b, picked, work, owners, twigs, children, count)
+        if cut:
+            return count, k, True
     return count, k, False

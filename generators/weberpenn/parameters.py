@@ -6,7 +6,9 @@ degrees; a `v` is a variation, half the width of an interval around the value. T
 
 from __future__ import annotations
 
-from treefit.plant import LEAF_SHAPES, Parameter, ParameterSpace
+from collections.abc import Mapping
+
+from treefit.plant import LEAF_SHAPES, Parameter, ParameterSpace, Value
 
 LEVELS = 4
 """Levels of stems at most; leaves and children deeper than that would take the parameters of the last (sec. 4.9)."""
@@ -100,8 +102,8 @@ ADDED = (
 )  # fmt: skip
 """Parameters that are not the paper's; at their defaults they do nothing."""
 
-UNSEEN = {"scale_v": 0.0, "lobes": 5, "lobe_depth": 0.07, "leaf_shape": "broad"}
-"""Neither a mask nor a characteristic sees these, so no search has them as genes; presets set them."""
+UNSEEN: Mapping[str, Value] = {"scale_v": 0.0, "lobes": 5, "lobe_depth": 0.07, "leaf_shape": "broad"}
+"""No search has these as genes, presets set them: no mask sees them, and scale_v does what leaf_scale does."""
 
 FULL = ParameterSpace(PARAMETERS, {**UNSEEN, "scale": 13.0})
 """Everything free that a mask can see; `scale` only sets the size in metres."""

@@ -8,6 +8,7 @@ import numpy as np
 from numba import njit
 
 from generators.compiling import INNER
+from generators.weberpenn.power import power
 
 _ZERO, _HALF, _ONE, _TWO, _EIGHT = (np.float32(x) for x in (0.0, 0.5, 1.0, 2.0, 8.0))
 _CONE, _REST, _PEAK = np.float32(0.2), np.float32(0.8), np.float32(0.7)
@@ -40,12 +41,11 @@ def shape_ratio(shape, r, tree):
 @njit(**INNER)
 def envelope(r, tree):
     """ShapeRatio(8, r): radius of the pruning envelope by its greatest; 0 outside of [0, 1]."""
-    if r < _ZERO or r > _ONE:
-        return _ZERO
     peak = np.float32(tree.prune_peak)
-    if r < _ONE - peak:
-        return np.float32((r / (_ONE - peak)) ** tree.prune_high)
-    return np.float32(((_ONE - r) / peak) ** tree.prune_low)
+    over = r < _ONE - peak
+    share = r / (_ONE - peak) if over else (_ONE - r) / peak
+    radius = power(max(share, _ZERO), np.float32(tree.prune_high if over else tree.prune_low))
+    return _ZERO if r < _ZERO or r > _ONE else radius
 
 
 @njit(**INNER)

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from generators.compiling import INNER
 from generators.weberpenn.rules import SEGMENT
-from generators.weberpenn.turning import arccos, attracted, pitched, rolled, upper_side
+from generators.weberpenn.turning import arccos, attracted, pitched, rolled, unit, upper_side
 from treefit.plant.streams import child_key, circle, two
 
 BLOCK = 256  # stems of a block: their numbers stay in the nearest cache
@@ -89,9 +89,7 @@ def _wind(cone, first, block, count):
         if first:
             put_frame(block, s, c * dx - w * ux, c * dy - w * uy, c * dz - w * uz, ax, ay, az)
             continue
-        kx, ky, kz = c * dx + w * ux, c * dy + w * uy, c * dz + w * uz  # the axis of the helix
-        unit = _ONE / math.sqrt(kx * kx + ky * ky + kz * kz)  # else what it lacks to 1 would triple at each turn
-        kx, ky, kz = unit * kx, unit * ky, unit * kz
+        kx, ky, kz = unit(c * dx + w * ux, c * dy + w * uy, c * dz + w * uz)  # the axis of the helix
         put_frame(block, s, *rolled(dx, dy, dz, kx, ky, kz), *rolled(ax, ay, az, kx, ky, kz))
 
 

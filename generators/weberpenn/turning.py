@@ -22,6 +22,13 @@ def arccos(x):
 
 
 @njit(**INNER)
+def unit(x, y, z):
+    """Vector of length 1: where errors of length would grow from turn to turn."""
+    length = math.sqrt(x * x + y * y + z * z)
+    return x / length, y / length, z / length
+
+
+@njit(**INNER)
 def upper_side(dx, dy, dz, ax, ay, az):
     """Direction at right angles to both."""
     return dy * az - dz * ay, dz * ax - dx * az, dx * ay - dy * ax

@@ -8,10 +8,11 @@ import numpy as np
 import pytest
 
 from generators.simplegen import SimpleGen
+from generators.weberpenn import WeberPennGen
 from tests.conftest import blob
 from treefit.fit import aim
 from treefit.objective import Objective
-from treefit.plant import Plant, check_plant
+from treefit.plant import Budget, Plant, check_plant
 from treefit.plant.characteristics import Characteristics
 from treefit.search import TreeGA
 from treefit.similarity import PaperSimilarity
@@ -37,6 +38,13 @@ def plant(objective: Objective) -> Plant:
 def test_generate(benchmark: Any, objective: Objective) -> None:
     values = objective.generator.space.complete(VALUES)
     plant = benchmark(objective.generator, values, 0, objective.budget)
+    benchmark.extra_info.update(vertices=plant.n_vertices, leaves=plant.n_leaves)
+
+
+def test_generate_an_aspen(benchmark: Any) -> None:
+    generator = WeberPennGen()
+    aspen = generator.presets["quaking_aspen"]
+    plant = benchmark(generator, generator.space.complete(aspen.values), aspen.seed, Budget())
     benchmark.extra_info.update(vertices=plant.n_vertices, leaves=plant.n_leaves)
 
 

@@ -6,6 +6,7 @@ import json
 import subprocess
 import sys
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import ClassVar
 
@@ -21,6 +22,7 @@ from experiments.sheet_cells import BUDGET, Cell, Drawing, grow
 from experiments.sheet_paper import fitted, wrapped
 from experiments.sheet_parameters import ROWS, Row, parameter_pages
 from experiments.sheet_presets import preset_pages
+from experiments.sheet_shown import first_shown, stages
 from experiments.sheet_values import choose, nearest, steps, written
 from generators.simplegen import SimpleGen
 from tests.failing import Failing
@@ -32,6 +34,20 @@ from treefit.plant import Parameter, ParameterSpace, Plant, Preset, Value
 RUN = Path(__file__).parents[2] / "run.py"
 MASKS, BOTH = Drawing(AssetSettings(), "mask", 100, 100), Drawing(AssetSettings(), "both", 100, 60)
 SMALL: dict[str, Value] = {"levels": 3, "branch_count_0": 8}
+
+
+class Named(SimpleGen):
+    """SimpleGen with plants of its own."""
+
+    presets: ClassVar[Mapping[str, Preset]] = {
+        name: Preset("simplegen", "2", 0, values)
+        for name, values in {
+            "ash": {**SMALL, "whorl": 2}, "elm": {**SMALL, "whorl": 5},
+            "fir": {**SMALL, "levels": 4, "branch_count_0": 16},
+            "jungle": {"levels": 4, "branch_count_0": 400, "branch_count_1": 90, "branch_count_2": 70},
+            "oak": {**SMALL, "levels": 4},
+        }.items()
+    }  # fmt: skip
 
 
 def usual() -> dict[str, Value]:
@@ -140,6 +156,34 @@ def test_a_parameter_without_a_say_is_unseen_and_others_are_not() -> None:
     assert not Row(rows[0].parameter, 0.4, False, [0.2, 0.4], [rows[0].cells[0], Cell(failure="cut")]).unseen
 
 
+def test_what_shows_nothing_at_the_usual_values_is_shown_on_the_simplest_preset_that_has_it() -> None:
+    (row,) = parameter_rows(Named(), BOTH, ["branch_len_3"], usual(), 0)
+    assert (row.on, row.unseen) == ("oak", False)  # ash and elm have no level 3, fir has more vertices
+    oak = Named().space.complete(Named.presets["oak"].values)
+    assert row.usual == oak["branch_len_3"]
+    plants = [grow(Named(), {**oak, "branch_len_3": value}, 0) for value in row.values]
+    assert all(one.looks_like(two) for one, two in zip(row.cells, BOTH.row(plants), strict=True))
+    (plain,) = parameter_rows(Named(), BOTH, ["whorl"], usual(), 0)
+    assert (plain.on, plain.usual) == ("", usual()["whorl"])
+    (page,), (other,) = (parameter_pages([replace(row, on=on)], BOTH.sizes, "", "") for on in ("oak", ""))
+    assert np.any(np.asarray(page) != np.asarray(other))  # its head says where
+
+
+def test_stages_are_light_presets_from_the_simplest_on() -> None:
+    ready = stages(Named(), 0)
+    counts = [stage.plant.n_vertices for stage in ready]
+    assert counts == sorted(counts)
+    assert {stage.name for stage in ready} == set(Named.presets) - {"jungle"}
+
+
+def test_a_parameter_that_shows_on_no_preset_is_unseen() -> None:
+    space = SimpleGen().space
+    level = next(parameter for parameter in space.parameters if parameter.name == "branch_len_3")
+    ready = [stage for stage in stages(Named(), 0) if stage.name in ("ash", "elm")]
+    assert len(ready) == 2
+    assert first_shown(Named(), level, steps(level), ready, 0) is None
+
+
 def test_a_fixed_parameter_is_shown_too() -> None:
     (row,) = parameter_rows(SimpleGen(), MASKS, ["branch_len_0"], usual(), 0)
     assert row.fixed
@@ -164,22 +208,16 @@ def test_many_choices_go_on_below() -> None:
     assert pages[1].height - pages[0].height > 100
 
 
-class Named(SimpleGen):
-    """SimpleGen with plants of its own."""
-
-    presets: ClassVar[Mapping[str, Preset]] = {
-        name: Preset("simplegen", "2", 0, {**SMALL, "whorl": whorl}) for name, whorl in (("ash", 2), ("elm", 5))
-    }
-
-
 def test_presets_are_shown_on_each_seed_with_their_counts() -> None:
     blocks = preset_blocks(Named(), MASKS, range(3, 5))
-    assert [block.name for block in blocks] == ["ash", "elm"]
+    elm, jungle = blocks[1], blocks[3]
+    assert [block.name for block in blocks] == sorted(Named.presets)
     grown = grow(Named(), Named().space.complete(Named.presets["elm"].values), 4)
     assert isinstance(grown, Plant)
-    assert blocks[1].captions[1][1:] == (f"{grown.n_vertices:,} vertices", f"{grown.n_leaves:,} leaves")
-    assert blocks[1].captions[1][0].startswith("seed 4 · ")
-    assert not blocks[0].cells[0].looks_like(blocks[0].cells[1])
+    assert elm.captions[1][1:] == (f"{grown.n_vertices:,} vertices", f"{grown.n_leaves:,} leaves")
+    assert elm.captions[1][0].startswith("seed 4 · ")
+    assert not elm.cells[0].looks_like(elm.cells[1])
+    assert "cut at" in jungle.cells[0].failure
     (page,) = preset_pages(blocks, MASKS.sizes, "title", "legend")
     assert page.width > 4 * MASKS.sizes[0][1]  # beside each other
 

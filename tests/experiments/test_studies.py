@@ -62,6 +62,9 @@ def test_benchmark_tells_every_part_of_an_evaluation() -> None:
             "page_faults", "two_threads_ratio", "azimuths_4_ratio", "zbuffer_ratio", "opencv_ratio",
             "pyrender_ratio"} <= set(facts)  # fmt: skip
     assert facts["vertices"] == pytest.approx(5000, rel=0.1)
+    large = cast(dict[str, float], facts["large"])
+    assert large["vertices"] > 50_000
+    assert large["evaluate_ns_per_primitive"] > large["grow_ns_per_primitive"] > 0
     assert json.loads(json.dumps(rounded(facts))) == rounded(facts)
 
 

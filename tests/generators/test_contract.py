@@ -60,9 +60,9 @@ def test_levels_rise_by_one_at_most_along_the_graph(generator: Generator) -> Non
 def test_the_same_input_gives_the_same_bytes_in_any_thread_and_whatever_grew_before(generator: Generator) -> None:
     for budget in (SMALL, Budget(400, 800)):
         with ThreadPoolExecutor(1) as fresh:
-            alone = fresh.submit(plants, generator, 60, budget).result()
+            alone = fresh.submit(plants, generator, 30, budget).result()
         plants(generator, 2, Budget())
-        assert all(same(one, two) for one, two in zip(alone, plants(generator, 60, budget), strict=True))
+        assert all(same(one, two) for one, two in zip(alone, plants(generator, 30, budget), strict=True))
 
 
 def test_another_seed_gives_another_plant(generator: Generator) -> None:

@@ -122,7 +122,7 @@ def test_every_stem_has_a_vertex_more_than_segments(species: str) -> None:
 
 
 def test_branches_and_leaves_of_the_aspen_are_those_of_the_formulas() -> None:
-    """Sec. 4.3 and 4.6, stems rounded down and leaves to the mean, children in the middles of equal parts of their parent."""
+    """Sec. 4.3 and 4.6: stems rounded down, leaves to the mean, children in the middles of equal parts of a parent."""
     at = (np.arange(50) + 0.5) / 50
     left = 1 - at
     fill = 0.5 + 0.5 * np.where(left <= 0.7, left / 0.7, (1 - left) / 0.3)  # ShapeRatio(7)

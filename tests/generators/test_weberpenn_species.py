@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import numpy as np
@@ -12,22 +13,17 @@ from generators.weberpenn.parameters import FULL
 from treefit.plant import Budget, Plant, check_plant
 from treefit.plant.extent import extent_of
 from treefit.plant.preset import Preset, read_presets
+from treefit.view import Frame, OrthographicView
 
 FOLDER = Path(__file__).parents[2] / "generators/weberpenn/species"
 PRESETS = read_presets(FOLDER)
 PUBLISHED = ("quaking_aspen", "black_tupelo", "weeping_willow", "black_oak")
 OWN = sorted(set(PRESETS) - set(PUBLISHED))
-WIDTH_AND_BARE = {  # width of the crown and height of its foot by that of the tree, of grown trees that stand free
-    "norway_spruce": (0.25, 0.45, 0.00, 0.10), "silver_fir": (0.25, 0.45, 0.08, 0.25),
-    "european_larch": (0.30, 0.50, 0.05, 0.20), "thuja": (0.30, 0.50, 0.00, 0.10),
-    "italian_cypress": (0.10, 0.22, 0.00, 0.12), "lombardy_poplar": (0.15, 0.28, 0.05, 0.22),
-    "scots_pine": (0.45, 0.90, 0.40, 0.65), "stone_pine": (0.85, 1.30, 0.55, 0.80),
-    "silver_birch": (0.40, 0.70, 0.15, 0.35), "small_leaved_linden": (0.55, 0.85, 0.08, 0.25),
-    "sugar_maple": (0.55, 0.85, 0.15, 0.35), "apple": (0.90, 1.40, 0.20, 0.45),
-    "umbrella_thorn": (1.30, 2.00, 0.40, 0.70), "weeping_cherry": (0.90, 1.40, 0.05, 0.30),
-    "coconut_palm": (0.55, 1.00, 0.30, 0.60), "hazel": (0.70, 1.40, 0.20, 0.50), "snow_gum": (0.70, 1.30, 0.30, 0.60),
-    "winter_oak": (0.85, 1.30, 0.10, 0.35),
-}  # fmt: skip
+WIDTH_AND_FOOT = re.compile(
+    r"# Grown in the open: (\S+) to (\S+) of its height wide, the foot of the crown at (\S+) to (\S+)\."
+)
+CONIFERS = ("european_larch", "norway_spruce", "scots_pine", "silver_fir", "stone_pine")
+VIEW, FRAME = OrthographicView(resolution=64), Frame(64, 4)
 
 
 def grow(preset: Preset, seed: int) -> Plant:
@@ -54,10 +50,25 @@ def test_species_of_our_own_fit_into_a_search(name: str) -> None:
 
 @pytest.mark.parametrize("name", OWN)
 def test_every_seed_has_the_habit_of_its_species(name: str) -> None:
-    narrow, wide, low, high = WIDTH_AND_BARE[name]
+    told = WIDTH_AND_FOOT.match((FOLDER / f"{name}.yaml").read_text(encoding="utf-8").splitlines()[1])
+    assert told is not None
+    narrow, wide, low, high = (float(number) for number in told.groups())
     for seed in range(31, 34):
         plant = grow(PRESETS[name], seed)
         extent = extent_of(plant)
         crown = plant.leaf_position if plant.n_leaves else plant.position[plant.level >= 2]
         assert narrow <= extent.width / extent.height <= wide
         assert low <= np.quantile(crown[:, 2], 0.02) / extent.height <= high
+
+
+@pytest.mark.parametrize("name", OWN)
+def test_another_seed_is_another_tree(name: str) -> None:
+    one, two = (VIEW(grow(PRESETS[name], seed), FRAME).unpack() != 0 for seed in (31, 32))
+    assert np.sum(one != two) >= 0.12 * np.sum(one | two)
+
+
+@pytest.mark.parametrize("name", CONIFERS)
+def test_needles_stand_in_tufts(name: str) -> None:
+    look = grow(PRESETS[name], 0).look
+    assert look is not None
+    assert look.leaf_shape == "tuft"

@@ -1,0 +1,77 @@
+"""The search space of WeberPennGen: most random genomes are plausible trees; species are the same in it."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from experiments.fidelity import picture_masks
+from generators.weberpenn import WeberPennGen
+from tests.conftest import blob
+from tests.generators.test_contract import same
+from treefit.fit import aim
+from treefit.objective import Objective
+from treefit.plant import Budget, Plant, Value
+from treefit.plant.characteristics import Characteristics
+from treefit.plant.extent import extent_of
+from treefit.similarity import Mix, PaperSimilarity
+from treefit.view import OrthographicView
+
+GENERATOR = WeberPennGen()
+PUBLISHED = ("quaking_aspen", "black_tupelo", "weeping_willow", "black_oak")
+WIDTHS = 0.1, 3.0
+"""By the height: a crown is neither a pole nor wider than that."""
+
+
+def objectives() -> list[Objective]:
+    wishes = Characteristics(vertices=3000)
+    return [aim(mask, GENERATOR, Mix(), wishes, OrthographicView(), 0) for mask in picture_masks()]
+
+
+def plausible(plant: Plant) -> bool:
+    if plant.cut or plant.n_leaves == 0:
+        return False
+    extent = extent_of(plant)
+    return WIDTHS[0] <= extent.width / extent.height <= WIDTHS[1]
+
+
+def test_there_are_about_fifty_free_parameters() -> None:
+    assert 40 <= len(GENERATOR.space) <= 60
+    assert GENERATOR.size_parameter not in GENERATOR.space.names
+
+
+def test_most_random_genomes_are_plausible_trees_with_a_score_on_every_example_picture() -> None:
+    targets = objectives()
+    genomes = np.random.default_rng(0).random((60, len(GENERATOR.space)))
+    good = 0
+    for genome in genomes:
+        plant = GENERATOR(GENERATOR.space.decode(genome), 0, targets[0].budget)
+        good += plausible(plant) and all(objective(genome).total > 0 for objective in targets)
+    assert good / len(genomes) >= 0.6
+
+
+@pytest.mark.parametrize("values", [{"scale": 26.0}, {"scale_v": 5.0}], ids=str)
+def test_height_shows_nothing_that_the_size_of_the_leaves_does_not(values: dict[str, Value]) -> None:
+    """Lengths of leaves are in metres: a mask sees them by the height alone, so only one of the two is searched."""
+    objective = aim(blob(), GENERATOR, PaperSimilarity(), Characteristics(), OrthographicView(), 3)
+    space, view, frame = GENERATOR.space, objective.view, objective.frame
+    budget = objective.budget
+    small = space.complete({"leaf_scale": 0.3, "leaf_bend": 0.0})
+    plant = GENERATOR(small, 3, budget)
+    taller = GENERATOR({**small, **values}, 3, budget)
+    growth = float(taller.position[:, 2].max() / plant.position[:, 2].max())
+    assert abs(growth - 1) > 0.02
+    same = GENERATOR({**small, **values, "leaf_scale": 0.3 * growth}, 3, budget)
+    one, two = (view(each, frame).unpack() for each in (plant, same))
+    assert (one > 0).any()
+    assert (one != two).mean() < 1e-3
+
+
+@pytest.mark.parametrize("name", PUBLISHED)
+def test_published_species_are_the_same_bytes_each_time_and_in_either_space(name: str) -> None:
+    preset, plants = GENERATOR.presets[name], []
+    for generator in (GENERATOR, GENERATOR, WeberPennGen(full=True)):
+        plants.append(generator(generator.space.complete(preset.values), preset.seed, Budget(300_000, 600_000)))
+    assert not plants[0].cut
+    assert same(plants[0], plants[1])
+    assert same(plants[0], plants[2])
