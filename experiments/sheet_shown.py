@@ -16,19 +16,18 @@ HEAVIEST = Budget(vertices=30_000, leaves=150_000)
 """Presets that need more are not tried: a row of them would take minutes."""
 
 PLAIN = 0.03
-"""Pixels of a small mask, by those of the plant, that a parameter changes when it plainly shows."""
+"""A parameter plainly shows when this share of the plant's pixels changes from its lowest to its highest value."""
 
-_CHANGED = Budget(2 * HEAVIEST.vertices, 2 * HEAVIEST.leaves)
 _ROWS, _WORDS = 64, 4
 
 
 @dataclass(frozen=True, eq=False)
 class Stage:
-    """A preset to show parameters on: all values by name, and the plant that they make."""
+    """A preset to show parameters on: all its values by name, and the vertices of its plant."""
 
     name: str
     values: Mapping[str, Value]
-    plant: Plant
+    n_vertices: int
 
 
 def stages(generator: Generator, seed: int) -> list[Stage]:
@@ -38,8 +37,8 @@ def stages(generator: Generator, seed: int) -> list[Stage]:
         values = generator.space.complete(preset.values)
         plant = grow(generator, values, seed, HEAVIEST)
         if isinstance(plant, Plant):
-            found.append(Stage(name, values, plant))
-    return sorted(found, key=lambda stage: (stage.plant.n_vertices, stage.name))
+            found.append(Stage(name, values, plant.n_vertices))
+    return sorted(found, key=lambda stage: (stage.n_vertices, stage.name))
 
 
 def first_shown(
@@ -48,19 +47,20 @@ def first_shown(
     """The first of `ready` on which `parameter` plainly shows, else that on which it shows most; None for nowhere."""
     best, most = None, 0.0
     for stage in ready:
-        changed = max(_change(generator, stage, parameter.name, value, seed) for value in (values[0], values[-1]))
-        if changed > most:
+        low, high = (
+            grow(generator, {**stage.values, parameter.name: value}, seed) for value in (values[0], values[-1])
+        )
+        if (changed := _difference(low, high)) > most:
             best, most = stage, changed
         if most >= PLAIN:
             break
     return best
 
 
-def _change(generator: Generator, stage: Stage, name: str, value: Value, seed: int) -> float:
-    """Share of the pixels that differ when the parameter `name` of a preset becomes `value`."""
-    plant = grow(generator, {**stage.values, name: value}, seed, _CHANGED)
-    if isinstance(plant, str) or same(plant, stage.plant):
+def _difference(one: Plant | str, two: Plant | str) -> float:
+    """Pixels that differ in small masks by those of the first plant; 0 when there is no plant."""
+    if isinstance(one, str) or isinstance(two, str) or same(one, two):
         return 0.0
     view, frame = OrthographicView(resolution=_ROWS), Frame(_ROWS, _WORDS)
-    one, two = (view(each, frame).unpack() for each in (stage.plant, plant))
-    return float(np.sum(one != two) / max(np.sum(one != BACKGROUND), 1))
+    low, high = (view(plant, frame).unpack() for plant in (one, two))
+    return float(np.sum(low != high) / max(np.sum(low != BACKGROUND), 1))

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from experiments.fidelity import picture_masks
 from generators.simplegen import SimpleGen
 from treefit.mask import BRANCH, FOLIAGE, Mask
 from treefit.plant import Budget, Plant
@@ -20,6 +21,12 @@ def plants() -> list[Plant]:
         if plant.n_vertices < 2000 and plant.n_leaves > 30:
             found.append(plant)
     return found
+
+
+@pytest.fixture(scope="session")
+def pictures() -> list[Mask]:
+    """Masks of the example pictures."""
+    return picture_masks()
 
 
 def blob(height: int = 128, width: int = 128, crown: float = 0.4, trunk: float = 0.04, bare: float = 0.3) -> Mask:

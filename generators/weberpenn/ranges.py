@@ -14,7 +14,7 @@ from treefit.plant import Parameter, ParameterSpace, Value
 
 RANGES: Mapping[str, tuple[float, float]] = {
     "base_size": (0.02, 0.75), "levels": (3, 4), "ratio": (0.006, 0.035), "ratio_power": (0.9, 1.8),
-    "flare": (0.0, 1.0), "leaves": (4, 50), "leaf_scale": (0.1, 0.45), "attraction_up": (-2.5, 1.5),
+    "flare": (0.0, 1.0), "leaves": (4, 50), "leaf_scale": (0.1, 0.3), "attraction_up": (-2.5, 1.5),
     "prune_ratio": (0.0, 1.0), "prune_width": (0.12, 0.6), "prune_width_peak": (0.08, 0.85),
     "prune_power_low": (0.15, 1.2), "prune_power_high": (0.15, 1.4),
     "length_0": (0.6, 1.05), "taper_0": (0.6, 1.0), "seg_splits_0": (0.0, 0.2), "split_angle_0": (5, 40),

@@ -171,7 +171,7 @@ def test_what_shows_nothing_at_the_usual_values_is_shown_on_the_simplest_preset_
 
 def test_stages_are_light_presets_from_the_simplest_on() -> None:
     ready = stages(Named(), 0)
-    counts = [stage.plant.n_vertices for stage in ready]
+    counts = [stage.n_vertices for stage in ready]
     assert counts == sorted(counts)
     assert {stage.name for stage in ready} == set(Named.presets) - {"jungle"}
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from experiments.fidelity import picture_masks
 from generators.weberpenn import WeberPennGen
 from tests.conftest import blob
 from tests.generators.test_contract import same
 from treefit.fit import aim
+from treefit.mask import Mask
 from treefit.objective import Objective
 from treefit.plant import Budget, Plant, Value
 from treefit.plant.characteristics import Characteristics
@@ -23,9 +23,10 @@ WIDTHS = 0.1, 3.0
 """By the height: a crown is neither a pole nor wider than that."""
 
 
-def objectives() -> list[Objective]:
+@pytest.fixture
+def objectives(pictures: list[Mask]) -> list[Objective]:
     wishes = Characteristics(vertices=3000)
-    return [aim(mask, GENERATOR, Mix(), wishes, OrthographicView(), 0) for mask in picture_masks()]
+    return [aim(mask, GENERATOR, Mix(), wishes, OrthographicView(), 0) for mask in pictures]
 
 
 def plausible(plant: Plant) -> bool:
@@ -40,13 +41,14 @@ def test_there_are_about_fifty_free_parameters() -> None:
     assert GENERATOR.size_parameter not in GENERATOR.space.names
 
 
-def test_most_random_genomes_are_plausible_trees_with_a_score_on_every_example_picture() -> None:
-    targets = objectives()
+def test_most_random_genomes_are_plausible_trees_with_a_score_on_every_example_picture(
+    objectives: list[Objective],
+) -> None:
     genomes = np.random.default_rng(0).random((60, len(GENERATOR.space)))
     good = 0
     for genome in genomes:
-        plant = GENERATOR(GENERATOR.space.decode(genome), 0, targets[0].budget)
-        good += plausible(plant) and all(objective(genome).total > 0 for objective in targets)
+        plant = GENERATOR(GENERATOR.space.decode(genome), 0, objectives[0].budget)
+        good += plausible(plant) and all(objective(genome).total > 0 for objective in objectives)
     assert good / len(genomes) >= 0.6
 
 

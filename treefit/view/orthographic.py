@@ -14,7 +14,7 @@ from treefit.plant import Plant
 from treefit.view.frame import BitMask, Frame
 from treefit.view.raster import Scratch, draw
 
-SLABS, FINE_SLABS = 4, 32
+SLABS, FINE_SLABS = 8, 32
 """Slabs of depth: for a search few are enough and stay in the nearest cache; a mask to be looked at has more."""
 _SCRATCH = Scratch()
 
