@@ -101,7 +101,8 @@ def grow(told, key, scratch, picks, numbers, integers, leaves):
         if level > 0 and tree.prune_ratio > 0 and prune(rule, tree, level, stems, m, trial, numbers.shape[1] - n):
             return n, k, True
         leafy = level == levels - 1
-        if _certainly_over(rule, tree, level, leafy, told, stems, m, numbers.shape[1] - n, leaves.shape[1]):
+        over = _certainly_over(rule, tree, level, leafy, told, stems, m, numbers.shape[1] - n, leaves.shape[1])
+        if over and level > 0:  # a trunk there is in any case
             return n, k, True
         m, n, k, cut = _grow_level(rule, tree, level, leafy, stems, m, wood, n, picks, children, leaves, k)
         if cut or m == 0:

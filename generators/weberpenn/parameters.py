@@ -6,7 +6,9 @@ degrees; a `v` is a variation, half the width of an interval around the value. T
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
+from dataclasses import replace
 
 from treefit.plant import LEAF_SHAPES, Parameter, ParameterSpace, Value
 
@@ -95,7 +97,28 @@ def _child(n: int) -> tuple[Parameter, ...]:
     )  # fmt: skip
 
 
-PARAMETERS = (*_TREE, *_TRUNK, *_every(0), *(one for n in range(1, LEVELS) for one in _child(n)))
+_LIMITS: dict[str, tuple[float, float]] = {
+    "shape": (0, 8), "base_size": (0, 0.99), "scale": (0.01, 1e4), "levels": (1, LEVELS), "lobes": (0, 100),
+    "lobe_depth": (0, 0.99), "taper": (0, 3), "curve_res": (1, 1000), "whorl": (1, 100), "base_splits": (0, 100),
+    "leaf_bend": (0, 1), "prune_ratio": (0, 1), "prune_width_peak": (0.01, 0.99),
+}  # fmt: skip
+_ANY_SIGN = (
+    "leaves", "branches", "attraction_up", "curve", "curve_back", "curve_v", "down_angle", "down_angle_v", "rotate",
+)  # fmt: skip
+
+
+def _limited(parameter: Parameter) -> Parameter:
+    """The same with the limits of what can grow: nothing is below 0 but angles, fans and attraction."""
+    name = parameter.name.rstrip("0123").rstrip("_")
+    if parameter.kind == "choice" or name in _ANY_SIGN:
+        return parameter
+    least, most = _LIMITS.get(name, (0.0, math.inf))
+    return replace(parameter, least=least, most=most)
+
+
+PARAMETERS = tuple(
+    _limited(one) for one in (*_TREE, *_TRUNK, *_every(0), *(one for n in range(1, LEVELS) for one in _child(n)))
+)
 ADDED = (
     "leaf_shape", *(f"bend_v_{n}" for n in range(LEVELS)),
     *(f"{name}_{n}" for name in ("radius_mod", "base_size", "whorl") for n in range(1, LEVELS)),

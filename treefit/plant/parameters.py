@@ -35,6 +35,8 @@ class Parameter:
     kind: str = "float"  # float | int | bool | choice
     choices: tuple[str, ...] = ()
     doc: str = ""
+    least: float = -math.inf  # values beyond these make no plant, though a preset may leave the range of the search
+    most: float = math.inf
 
     def __post_init__(self) -> None:
         if self.kind not in KINDS or self.scale not in SCALES:
@@ -90,6 +92,9 @@ class Parameter:
             raise ValueError(f"parameter {self.name!r}: must be a finite number, got {value!r}")
         elif self.kind == "int" and value != int(value):
             raise ValueError(f"parameter {self.name!r}: must be a whole number, got {value!r}")
+        elif not self.least <= value <= self.most:
+            limit = f"at least {self.least:g}" if value < self.least else f"at most {self.most:g}"
+            raise ValueError(f"parameter {self.name!r}: must be {limit}, got {value!r}")
 
 
 @dataclass(frozen=True)
