@@ -77,3 +77,18 @@ def test_published_species_are_the_same_bytes_each_time_and_in_either_space(name
     assert not plants[0].cut
     assert same(plants[0], plants[1])
     assert same(plants[0], plants[2])
+
+
+@pytest.mark.parametrize(
+    ("name", "value"), [("levels", 7), ("curve_res_1", 0), ("shape", 9), ("whorl_2", 0), ("ratio", -1), ("scale", 0)]
+)
+def test_a_value_that_makes_no_plant_is_refused(name: str, value: float) -> None:
+    with pytest.raises(ValueError, match=f"parameter '{name}': must be at"):
+        WeberPennGen().space.complete({name: value})
+
+
+def test_a_trunk_grows_however_much_is_asked_for() -> None:
+    generator = WeberPennGen()
+    plant = generator(generator.space.complete({"branches_1": 1e7}), 0, Budget(1000, 1000))
+    assert plant.cut
+    check_plant(plant)

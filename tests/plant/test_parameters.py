@@ -79,3 +79,12 @@ def test_impossible_parameters_are_refused() -> None:
         Parameter("x", 0, 1, scale="log")
     with pytest.raises(ValueError, match="must differ"):
         ParameterSpace((COUNT, COUNT))
+
+
+def test_values_beyond_the_limits_are_refused_and_those_beyond_the_range_are_not() -> None:
+    stem = Parameter("stem", 1, 2, 1.5, least=0, most=10)
+    stem.check(9.5)
+    with pytest.raises(ValueError, match="'stem': must be at least 0, got -1"):
+        stem.check(-1)
+    with pytest.raises(ValueError, match="'stem': must be at most 10, got 11"):
+        stem.check(11)

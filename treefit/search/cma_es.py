@@ -31,7 +31,7 @@ class CMAES:
     generations: int = Field(default=900, ge=1)
     min_population: int = Field(default=24, ge=4)
     step: float = Field(default=0.25, gt=0, le=1)
-    known_step: float = Field(default=0.05, gt=0, le=1)
+    known_step: float = Field(default=0.1, gt=0, le=1)
     converged: float = Field(default=0.005, gt=0, le=1)
     restart_step: float = Field(default=0.15, gt=0, le=1)
     start: Start = "mixed"
