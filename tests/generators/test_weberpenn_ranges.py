@@ -11,7 +11,7 @@ from tests.generators.test_contract import same
 from treefit.fit import aim
 from treefit.mask import Mask
 from treefit.objective import Objective
-from treefit.plant import Budget, Plant, Value
+from treefit.plant import Budget, Plant, Value, check_plant
 from treefit.plant.characteristics import Characteristics
 from treefit.plant.extent import extent_of
 from treefit.similarity import Mix, PaperSimilarity
