@@ -7,7 +7,6 @@ import math
 import numpy as np
 from numba import njit
 
-from generators.compiling import INNER, ONCE
 from generators.simplegen.chunk import (
     CHUNK,
     DX,
@@ -30,6 +29,7 @@ from generators.simplegen.chunk import (
 from generators.simplegen.crown import kept
 from generators.simplegen.directions import aside
 from generators.simplegen.rules import CHILD
+from treefit.plant.compiling import INNER, ONCE
 from treefit.plant.streams import child_key, circle, two
 
 CX, CY, CZ, CHILD_LONG, CHILD_RADIUS, SUM_X, SUM_Y = (FREE + CHUNK * row for row in range(7))

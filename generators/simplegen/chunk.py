@@ -7,9 +7,9 @@ import math
 import numpy as np
 from numba import njit
 
-from generators.compiling import INNER
 from generators.simplegen.directions import unit
 from generators.simplegen.rules import STEM_FIELDS, SWAY
+from treefit.plant.compiling import INNER
 from treefit.plant.streams import child_key, two
 
 CHUNK = 256  # branches at once: their numbers stay in the nearest cache

@@ -8,7 +8,7 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-from generators.compiling import FAST, INNER
+from treefit.plant.compiling import FAST, INNER
 
 KNOTS = 5
 BOTTOM, TALL, KEEP, TURN, DEPTH, WIDTH, LOPSIDED = 0, 1, 2, 3, 4, 5, 5 + KNOTS

@@ -7,7 +7,7 @@ import math
 import numpy as np
 from numba import njit
 
-from generators.compiling import INNER
+from treefit.plant.compiling import INNER
 
 _ZERO, _ONE, _HALF, _TINY = np.float32(0.0), np.float32(1.0), np.float32(0.5), np.float32(1e-12)
 _SHORT = np.float32(1e-6)

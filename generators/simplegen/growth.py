@@ -10,13 +10,13 @@ from numba import njit
 from numba.np.unsafe.ndarray import to_fixed_tuple
 from numpy.typing import NDArray
 
-from generators.compiling import FAST, ONCE
 from generators.simplegen.branches import grow_branches
 from generators.simplegen.chunk import FLOATS, KEYS
 from generators.simplegen.crown import NUMBERS
 from generators.simplegen.rules import STEM_FIELDS, LeafRule, LevelRule, Stems, Wood
 from generators.simplegen.trunk import grow_trunk
 from generators.simplegen.twigs import grow_twigs
+from treefit.plant.compiling import FAST, ONCE
 
 _fixed: Any = to_fixed_tuple  # an intrinsic: its first argument is the compiler's
 _LEVEL, _LEAF = len(LevelRule._fields), len(LeafRule._fields)

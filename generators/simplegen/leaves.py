@@ -7,10 +7,10 @@ import math
 import numpy as np
 from numba import njit
 
-from generators.compiling import INNER, ONCE
 from generators.simplegen.chunk import CHUNK, FREE, JOINT, MADE, PICKED, SPIN, STEP_X, STEP_Y, STEP_Z, X, Y, Z, copy
 from generators.simplegen.directions import frame, unit
 from generators.simplegen.rules import LEAF
+from treefit.plant.compiling import INNER, ONCE
 from treefit.plant.streams import child_key, circle, two
 
 STEP, PLACE, AXIS, NORMAL, SIZE, TURN = (FREE + CHUNK * row for row in (0, 3, 6, 9, 12, 14))  # PLACE.. as in a plant

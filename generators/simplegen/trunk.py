@@ -7,10 +7,10 @@ import math
 import numpy as np
 from numba import njit
 
-from generators.compiling import INNER
 from generators.simplegen.crown import DEPTH, KEEP, TURN, reach
 from generators.simplegen.directions import aside, unit
 from generators.simplegen.rules import CHILD, SWAY
+from treefit.plant.compiling import INNER
 from treefit.plant.streams import child_key, circle, two
 
 _HALF, _ZERO, _ONE, _TWO, _SPREAD, _TINY = (np.float32(x) for x in (0.5, 0.0, 1.0, 2.0, 0.6, 1e-6))

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 from numba import njit
 
-from generators.compiling import ONCE
 from generators.simplegen.chunk import CHUNK, advance, load, put_wood
 from generators.simplegen.leaves import put_leaves
+from treefit.plant.compiling import ONCE
 
 
 @njit(**ONCE)

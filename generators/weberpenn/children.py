@@ -7,7 +7,6 @@ import math
 import numpy as np
 from numba import njit
 
-from generators.compiling import INNER
 from generators.weberpenn.picks import PLACE, PX, PY, PZ, SPIN
 from generators.weberpenn.power import power
 from generators.weberpenn.rules import COUNTED
@@ -34,6 +33,7 @@ from generators.weberpenn.stems import (
     put_frame,
 )  # fmt: skip
 from generators.weberpenn.turning import placed
+from treefit.plant.compiling import INNER
 from treefit.plant.streams import child_key, circle, two
 
 _ZERO, _ONE, _TWO, _SMALL = (np.float32(x) for x in (0.0, 1.0, 2.0, 1e-5))

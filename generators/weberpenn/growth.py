@@ -10,7 +10,6 @@ from numba import njit
 from numba.np.unsafe.ndarray import to_fixed_tuple
 from numpy.typing import NDArray
 
-from generators.compiling import FAST, INNER, ONCE
 from generators.weberpenn.children import count_children, put_stems
 from generators.weberpenn.leaves import WORK, put_leaves
 from generators.weberpenn.picks import ROW, pick
@@ -40,6 +39,7 @@ from generators.weberpenn.stems import (
     put_frame,
 )  # fmt: skip
 from generators.weberpenn.wood import Wood, put_bases, put_tips
+from treefit.plant.compiling import FAST, INNER, ONCE
 from treefit.plant.streams import child_key, two
 
 FLARE_STOPS = tuple(np.float32(x) for x in (1 / 64, 1 / 32, 1 / 16, 1 / 8))

@@ -7,10 +7,10 @@ import math
 import numpy as np
 from numba import njit
 
-from generators.compiling import INNER
 from generators.weberpenn.children import down_angle
 from generators.weberpenn.picks import FREE, PAX, PAY, PAZ, PDX, PDY, PDZ, PLACE, PX, ROW, SPIN
 from generators.weberpenn.turning import about_vertical, attracted, placed, upper_side
+from treefit.plant.compiling import INNER
 from treefit.plant.streams import child_key, circle, two
 
 AXIS, NORMAL, SIZE = (FREE + ROW * row for row in (0, 3, 6))

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 from numba import njit
 
-from generators.compiling import INNER, ONCE
 from generators.weberpenn.rules import CHILD
 from generators.weberpenn.stems import BLOCK, COUNT, LONG, MADE, TURN, X, Y, Z, frame_of
+from treefit.plant.compiling import INNER, ONCE
 from treefit.plant.streams import child_key, two
 
 LANES = 16

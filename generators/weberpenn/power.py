@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numba import njit
 
-from generators.compiling import INNER
+from treefit.plant.compiling import INNER
 
 _LOG = tuple(np.float32(x) for x in (1.44252727, -0.71791348, 0.45654041, -0.27596896, 0.12010026, -0.02528551))
 _EXP = tuple(np.float32(x) for x in (0.69303297, 0.24136979, 0.05205482, 0.01354243))

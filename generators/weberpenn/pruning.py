@@ -11,10 +11,10 @@ import math
 import numpy as np
 from numba import njit
 
-from generators.compiling import INNER, ONCE
 from generators.weberpenn.shapes import envelope
 from generators.weberpenn.splits import split
 from generators.weberpenn.stems import BEGIN, BLOCK, FILL, LONG, MADE, STEM, THICK, TURN, X, Y, Z, advance
+from treefit.plant.compiling import INNER, ONCE
 
 _ZERO, _HALF, _ONE, _SHORTEST = (np.float32(x) for x in (0.0, 0.5, 1.0, 1e-5))
 HALVINGS = 8

@@ -7,8 +7,8 @@ import math
 import numpy as np
 from numba import njit
 
-from generators.compiling import INNER
 from generators.weberpenn.power import power
+from treefit.plant.compiling import INNER
 
 _ZERO, _HALF, _ONE, _TWO, _EIGHT = (np.float32(x) for x in (0.0, 0.5, 1.0, 2.0, 8.0))
 _CONE, _REST, _PEAK = np.float32(0.2), np.float32(0.8), np.float32(0.7)

@@ -14,10 +14,10 @@ import math
 import numpy as np
 from numba import njit
 
-from generators.compiling import INNER
 from generators.weberpenn.rules import SPLIT
 from generators.weberpenn.stems import BACK, BLOCK, COUNT, DUE, DZ, FLOATS, INTS, MADE, frame_of, put_frame
 from generators.weberpenn.turning import about_vertical, arccos, pitched
+from treefit.plant.compiling import INNER
 from treefit.plant.streams import child_key, circle, two
 
 _ZERO, _HALF, _ONE, _TWO = (np.float32(x) for x in (0.0, 0.5, 1.0, 2.0))

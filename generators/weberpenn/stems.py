@@ -12,9 +12,9 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-from generators.compiling import INNER
 from generators.weberpenn.rules import SEGMENT
 from generators.weberpenn.turning import arccos, attracted, pitched, rolled, unit, upper_side
+from treefit.plant.compiling import INNER
 from treefit.plant.streams import child_key, circle, two
 
 BLOCK = 256  # stems of a block: their numbers stay in the nearest cache

@@ -7,7 +7,7 @@ import math
 import numpy as np
 from numba import njit
 
-from generators.compiling import INNER
+from treefit.plant.compiling import INNER
 
 _ZERO, _ONE, _SHORT = np.float32(0.0), np.float32(1.0), np.float32(1e-6)
 _ARC = tuple(np.float32(x) for x in (1.5707288, -0.2121144, 0.0742610, -0.0187293))

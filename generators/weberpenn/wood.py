@@ -8,9 +8,9 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-from generators.compiling import INNER
 from generators.weberpenn.shapes import flare_at, radius_at, unit_taper
 from generators.weberpenn.stems import BEFORE, LONG, NOW, PARENT, THICK, X, Y, Z
+from treefit.plant.compiling import INNER
 
 _ZERO, _ONE = np.float32(0.0), np.float32(1.0)
 

@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 from numba import njit
 
+from treefit.plant.compiling import INNER, ONCE
 from treefit.view import stamps
-from treefit.view.spans import INNER, ONCE, ellipse, line, quad, strip
+from treefit.view.spans import ellipse, line, quad, strip
 from treefit.view.stamps import ACROSS, AT, BLOCK, CHUNK, INSIDE, KIND, ODD, OUT, SHIFT, TALL
 
 THIN = np.float32(0.75)  # half width in pixels up to which a segment is a line and its joints need no disc

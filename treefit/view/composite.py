@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numba import njit
 
-from treefit.view.spans import INNER
+from treefit.plant.compiling import INNER
 
 _CHEQUERED, _ONE = np.uint64(0x5555555555555555), np.uint64(1)
 _SWAPS = tuple(

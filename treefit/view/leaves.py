@@ -7,8 +7,9 @@ import math
 import numpy as np
 from numba import njit
 
+from treefit.plant.compiling import INNER, ONCE
 from treefit.view import stamps
-from treefit.view.spans import INNER, ONCE, ellipse
+from treefit.view.spans import ellipse
 from treefit.view.stamps import ACROSS, AT, BLOCK, CHUNK, INSIDE, KIND, ODD, OUT, SHIFT, TALL
 
 X, Y, DEPTH, LONG_X, LONG_Y, REACH, SLOPE, HALF, INVERSE, ASIDE, DY, MIDDLE, WIDTH = (CHUNK * row for row in range(13))

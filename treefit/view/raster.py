@@ -8,12 +8,12 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
+from treefit.plant.compiling import FAST
 from treefit.plant.extent import depth_of, height_of
 from treefit.view import branches, leaves, stamps
 from treefit.view.branches import draw_branches
 from treefit.view.composite import composite
 from treefit.view.leaves import draw_leaves
-from treefit.view.spans import FAST
 
 _TINY = np.float32(1e-6)
 

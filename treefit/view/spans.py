@@ -7,22 +7,11 @@ that thin twigs and small leaves keep their mean area.
 from __future__ import annotations
 
 import math
-from typing import Any
 
 import numpy as np
 from numba import njit
 
-FAST: dict[str, Any] = {
-    "cache": True, "nogil": True, "error_model": "numpy", "fastmath": {"contract", "nsz", "arcp"},
-    "no_cfunc_wrapper": True,
-}  # fmt: skip
-"""Settings of the kernels of this room; numbers that are not finite stay what they are, so that they draw nothing."""
-
-INNER: dict[str, Any] = {**FAST, "cache": False, "no_cpython_wrapper": True}
-"""The same for kernels that only kernels call: half the time to compile."""
-
-ONCE: dict[str, Any] = {**INNER, "inline": "always"}
-"""The same for the few long kernels with one caller: code is then made once, not once for each caller above."""
+from treefit.plant.compiling import INNER
 
 _ALL = np.uint64(0xFFFFFFFFFFFFFFFF)
 _63, _ONE_BIT = np.uint64(63), np.uint64(1)

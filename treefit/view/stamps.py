@@ -10,7 +10,7 @@ from __future__ import annotations
 import numpy as np
 from numba import njit
 
-from treefit.view.spans import INNER, ONCE
+from treefit.plant.compiling import INNER, ONCE
 
 CHUNK = 256  # primitives at once: their numbers stay in the nearest cache
 COLUMNS, ROWS = 24, 12  # of the largest stamp

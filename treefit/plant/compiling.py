@@ -1,4 +1,4 @@
-"""Compiling: how numba compiles the kernels of the generators."""
+"""Compiling: how numba compiles the kernels of generators and views."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ FAST: dict[str, Any] = {
     "cache": True, "nogil": True, "error_model": "numpy", "fastmath": {"contract", "nsz", "arcp"},
     "no_cfunc_wrapper": True,
 }  # fmt: skip
-"""Kernels that Python calls."""
+"""Kernels that Python calls; numbers that are not finite stay what they are, so that they draw nothing."""
 
 INNER: dict[str, Any] = {**FAST, "cache": False, "no_cpython_wrapper": True}
 """The same for kernels that only kernels call: half the time to compile."""
