@@ -1,7 +1,11 @@
 """Ranges in which most random genomes are plausible trees, and what is fixed in them.
 
 The crown's outline is the envelope of the pruning (shape 8): four numbers that change it smoothly, where shapes 0 to 7
-are eight steps. What another parameter does as well, or what shows in no mask of some thousand vertices, is fixed.
+are eight steps.
+
+What another parameter does as well, or what shows in no mask of some thousand vertices, is fixed. Random turns of trunk
+and limbs are small: large ones fit the luck of a seed, and their values then suit no other. Halved, they score as before
+and keep 0.74 of the silhouette on other seeds, not 0.72 (5,000 evaluations on six photographs, two seeds).
 """
 
 from __future__ import annotations
@@ -17,11 +21,11 @@ RANGES: Mapping[str, tuple[float, float]] = {
     "flare": (0.0, 1.0), "leaves": (4, 50), "leaf_scale": (0.1, 0.3), "attraction_up": (-2.5, 1.5),
     "prune_ratio": (0.0, 1.0), "prune_width": (0.12, 0.6), "prune_width_peak": (0.08, 0.85),
     "prune_power_low": (0.15, 1.2), "prune_power_high": (0.15, 1.4),
-    "length_0": (0.6, 1.05), "taper_0": (0.6, 1.0), "seg_splits_0": (0.0, 0.2), "split_angle_0": (5, 40),
-    "curve_0": (-30, 30), "curve_back_0": (-50, 50), "curve_v_0": (0, 50), "bend_v_0": (0, 40),
+    "length_0": (0.6, 1.05), "taper_0": (0.6, 1.0), "seg_splits_0": (0.0, 0.1), "split_angle_0": (5, 40),
+    "curve_0": (-30, 30), "curve_back_0": (-50, 50), "curve_v_0": (0, 25), "bend_v_0": (0, 20),
     "down_angle_1": (20, 120), "down_angle_v_1": (-60, 40), "rotate_v_1": (0, 60), "branches_1": (14, 80),
-    "length_1": (0.15, 1.2), "length_v_1": (0.0, 0.15), "seg_splits_1": (0.0, 0.2), "split_angle_1": (5, 50),
-    "curve_1": (-80, 80), "curve_back_1": (-80, 80), "curve_v_1": (0, 120), "bend_v_1": (0, 100),
+    "length_1": (0.15, 1.2), "length_v_1": (0.0, 0.15), "seg_splits_1": (0.0, 0.1), "split_angle_1": (5, 50),
+    "curve_1": (-80, 80), "curve_back_1": (-80, 80), "curve_v_1": (0, 60), "bend_v_1": (0, 50),
     "radius_mod_1": (0.4, 1.0), "base_size_1": (0.0, 0.5), "whorl_1": (1, 5),
     "down_angle_2": (20, 90), "down_angle_v_2": (-40, 30), "rotate_2": (-120, 150), "branches_2": (7, 50),
     "length_2": (0.15, 0.7), "length_v_2": (0.0, 0.15), "curve_2": (-90, 90), "curve_back_2": (-60, 60),
