@@ -4,8 +4,8 @@ The crown's outline is the envelope of the pruning (shape 8): four numbers that 
 are eight steps.
 
 What another parameter does as well, or what shows in no mask of some thousand vertices, is fixed. Random turns of trunk
-and limbs are small: large ones fit the luck of a seed, and their values then suit no other. Halved, they score as before
-and keep 0.74 of the silhouette on other seeds, not 0.72 (5,000 evaluations on six photographs, two seeds).
+and limbs are small: large ones fit the luck of a seed, and suit no other. Halved, they score as before and keep 0.74 of
+the silhouette on other seeds, not 0.72 (5,000 evaluations on six photographs, two seeds).
 """
 
 from __future__ import annotations
