@@ -1,14 +1,12 @@
-"""Paper of the sheets: colours, sizes of letters, panels, and text that fits into its room."""
+"""Paper of the sheets: colours, sizes of letters, panels, and text on several lines."""
 
 from __future__ import annotations
-
-from bisect import bisect_right
 
 import numpy as np
 from numpy.typing import NDArray
 from PIL import Image, ImageDraw
 
-from treefit.asset.font import font
+from treefit.asset.font import fitted, font
 
 PAPER, LINE, MARK = (255, 255, 255), (224, 224, 224), (176, 82, 28)
 INK, TEXT_INK, FAINT = (34, 34, 34), (72, 72, 72), (120, 120, 120)
@@ -32,13 +30,9 @@ def new_page(width: int, height: int, title: str, legend: str) -> tuple[Image.Im
 
 def put_panel(page: Image.Image, picture: NDArray[np.uint8], left: int, top: int) -> None:
     """A picture (h, w, 3) within a thin line."""
+    height, width = picture.shape[:2]
     page.paste(Image.fromarray(picture), (left, top))
-    outline(page, left, top, picture.shape[1], picture.shape[0], LINE)
-
-
-def outline(page: Image.Image, left: int, top: int, width: int, height: int, colour: tuple[int, int, int]) -> None:
-    """The edge of a panel, one pixel wide."""
-    ImageDraw.Draw(page).rectangle((left, top, left + width - 1, top + height - 1), outline=colour)
+    ImageDraw.Draw(page).rectangle((left, top, left + width - 1, top + height - 1), outline=LINE)
 
 
 def put_reason(page: Image.Image, reason: str, left: int, top: int, width: int, height: int) -> None:
@@ -63,12 +57,3 @@ def wrapped(text: str, size: int, room: float, most: int) -> list[str]:
     if words:
         lines[-1] += f" {' '.join(words)}"
     return [fitted(line, size, room) for line in lines]
-
-
-def fitted(text: str, size: int, room: float) -> str:
-    """`text` on one line, shortened with an ellipsis where it is wider than `room` pixels."""
-    letters = font(size)
-    if letters.getlength(text) <= room:
-        return text
-    first = bisect_right(range(len(text)), room, key=lambda end: letters.getlength(f"{text[:end].rstrip()}…"))
-    return f"{text[: max(first - 1, 0)].rstrip()}…"

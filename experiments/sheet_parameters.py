@@ -19,14 +19,13 @@ from experiments.sheet_paper import (
     NAME,
     TEXT,
     TEXT_INK,
-    fitted,
     new_page,
     put_panel,
     put_reason,
     wrapped,
 )
 from experiments.sheet_values import nearest, written
-from treefit.asset.font import font
+from treefit.asset.font import fitted, font
 from treefit.plant import Parameter, Value
 
 ROWS, COLUMNS = 12, 5

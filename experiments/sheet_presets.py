@@ -16,12 +16,11 @@ from experiments.sheet_paper import (
     MARGIN,
     NAME,
     TEXT,
-    fitted,
     new_page,
     put_panel,
     put_reason,
 )
-from treefit.asset.font import font
+from treefit.asset.font import fitted, font
 
 WIDEST = 1800
 """Pixels of a page, unless one preset is wider."""

@@ -50,7 +50,6 @@ def run(cfg: DictConfig) -> None:
     resolution = int(cfg.view.resolution)
     shown = {name: sample(mask, frame_for(mask, resolution).finer(REPORT_HEIGHT)) for name, mask in targets.items()}
     search = Search.of(cfg, wanted.evaluations)
-    search.warm(next(iter(targets.values())), mixes.values())
     fits: list[JudgedFit] = []
     pairs = [(picture, name) for picture in targets for name in mixes]
     for i, (picture, name) in enumerate(pairs):

@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any, cast
 
-import numpy as np
 from omegaconf import DictConfig, OmegaConf
 
 from experiments.build import build
-from treefit.fit import Result, aim, fit
+from treefit.fit import Result, fit
 from treefit.image import write_mask
 from treefit.image.read import read_mask_file
 from treefit.mask import Mask
@@ -68,13 +67,6 @@ class Search:
         generator = f"{parts['generator'].name} {parts['generator'].version}"
         settings = {name: str(cfg[name]) for name in parts if name != "evaluator"}
         return cls(generator, json.dumps([generator, settings]), parts)
-
-    def warm(self, mask: Mask, similarities: Iterable[Mix]) -> None:
-        """Score one plant by each of the `similarities`: what is compiled then is not on the clock of a fit."""
-        for similarity in similarities:
-            chosen = (self.parts[name] for name in ("characteristics", "view", "seed"))
-            objective = aim(mask, self.parts["generator"], similarity, *chosen)
-            objective(np.full(len(objective.space), 0.5))
 
     def __call__(self, mask: Mask, similarity: Mix) -> Result:
         """Result for a mask (h, w), with one candidate."""

@@ -11,7 +11,7 @@ from PIL import Image, ImageDraw
 
 from experiments.similarities_fit import JudgedFit, Study
 from experiments.similarities_page import means
-from treefit.asset.font import font
+from treefit.asset.font import fitted, font
 from treefit.mask import PALETTE, Mask
 
 WIDTH = 1600
@@ -71,7 +71,9 @@ class _Row:
         draw, base = ImageDraw.Draw(page), top + self.height
         draw.line((_MARGIN, base, page.width - _MARGIN, base), _LINE)
         self._put(page, self.target, _left(0, cell), top, cell)
-        draw.text((_left(0, cell) + cell / 2, base + 5), _fitted(self.picture, cell), _INK, font(_NUMBER), anchor="ma")
+        draw.text(
+            (_left(0, cell) + cell / 2, base + 5), fitted(self.picture, _NUMBER, cell), _INK, font(_NUMBER), anchor="ma"
+        )
         best = {name: max((getattr(fit.agreement, name) for fit in self.fits if fit), default=0.0) for name in _SHOWN}
         for i, fit in enumerate(self.fits, start=1):
             if fit is None:
@@ -101,7 +103,7 @@ def _draw_head(page: Image.Image, study: Study, cell: int) -> None:
     draw.text((_left(0, cell) + cell / 2, _HEAD + _NAME + 7), "mean", _FAINT, font(_NUMBER), anchor="ma")
     for i, name in enumerate(study.mixes, start=1):
         middle = _left(i, cell) + cell / 2
-        draw.text((middle, _HEAD), _fitted(name, cell), _INK, font(_NAME), anchor="ma")
+        draw.text((middle, _HEAD), fitted(name, _NAME, cell), _INK, font(_NAME), anchor="ma")
         if name in middles:
             _draw_numbers(draw, list(zip(middles[name], best, strict=True)), middle, _HEAD + _NAME + 7)
 
@@ -120,13 +122,6 @@ def _reach(mask: Mask) -> int:
     """Farthest column of the tree from the middle one, in pixels, at least 1."""
     columns, middle = np.flatnonzero(mask.any(axis=0)), mask.shape[1] / 2
     return int(np.ceil(max(middle - columns[0], columns[-1] + 1 - middle))) if len(columns) else 1
-
-
-def _fitted(text: str, room: float) -> str:
-    """Return `text`, cut off with an ellipsis where it is wider than `room` pixels at the size of names."""
-    while len(text) > 1 and font(_NAME).getlength(text) > room:
-        text = text.rstrip("…")[:-1] + "…"
-    return text
 
 
 def _left(column: int, cell: int) -> int:

@@ -17,7 +17,7 @@ from treefit.checkpoint import CheckpointError, read_checkpoint
 from treefit.evaluation import Batch, Evaluator
 from treefit.fit import Result, SearchError, Stop, fit
 from treefit.objective import Objective, Score
-from treefit.plant import Generator, Preset, Value
+from treefit.plant import Budget, Generator, Plant, Preset, Value, Values
 from treefit.plant.characteristics import Characteristics
 from treefit.progress import Failure, Generation
 from treefit.search import RandomSearch, Strategy, TreeGA
@@ -156,6 +156,29 @@ def test_a_killed_search_from_presets_goes_on_to_the_same_end_but_not_from_other
         with pytest.raises(CheckpointError, match="belongs to a search with another"):
             small(Nursery(), checkpoint=tmp_path / "c.npz")
     assert genomes(small(Nursery(), checkpoint=tmp_path / "c.npz")) == genomes(small(Nursery()))
+
+
+class Unstarted(Evaluator):
+    """Evaluator that ends the search before its first batch."""
+
+    @contextmanager
+    def started(self, objective: Objective) -> Iterator[Batch]:
+        raise KeyboardInterrupt
+        yield
+
+
+@pytest.mark.parametrize(("kind", "plants"), [("threads", 1), ("serial", 1), ("processes", 0)])
+def test_kernels_compile_before_the_clock_starts_but_never_what_may_crash_the_search(kind: str, plants: int) -> None:
+    grown: list[int] = []
+
+    class Counting(SimpleGen):
+        def __call__(self, values: Values, seed: int, budget: Budget) -> Plant:
+            grown.append(seed)
+            return super().__call__(values, seed, budget)
+
+    with pytest.raises(KeyboardInterrupt):
+        small(Counting(), evaluator=Unstarted(kind))
+    assert len(grown) == plants
 
 
 def test_a_preset_with_a_parameter_that_the_generator_lacks_is_named(monkeypatch: pytest.MonkeyPatch) -> None:

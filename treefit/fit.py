@@ -142,6 +142,8 @@ def _search(
     on_generation: Callable[[Generation, list[Failure]], None] | None, fingerprint: str,
 ) -> Progress:  # fmt: skip
     progress = _restore(search, checkpoint, fingerprint)
+    if evaluator.backend(objective) != "processes":  # what is compiled now is not on the clock; a crash may end nothing
+        objective(np.full(len(objective.space), 0.5))
     started, written = time.perf_counter() - progress.seconds, -math.inf
     with evaluator.started(objective) as evaluate:
         while not search.done and not _enough(progress, stop):

@@ -68,8 +68,8 @@ class WeberPennGen:
     def __call__(self, values: Values, seed: int, budget: Budget) -> Plant:
         """Plant grown from `values` by name, `scale` metres high (leaf_scale is in metres of its own)."""
         key = seed_key(seed)
-        tree = _tree_rule(values, *map(float, (*two(child_key(key, 2)), *two(child_key(key, 3)))))
-        told = [*tree, *(number for level in range(int(tree.levels)) for number in _level_rule(values, level))]
+        tree = _tree_rule(values, *map(float, (*two(child_key(key, 2)), two(child_key(key, 3))[0])))
+        told = [*tree, *(number for level in range(int(tree.levels)) for number in _level_rule(values, level, tree))]
         numbers, integers = np.empty((4, budget.vertices), np.float32), np.empty((2, budget.vertices), np.int32)
         leaves = np.empty((11, budget.leaves), np.float32)
         scratch, picks = _SCRATCH.room(budget.vertices)  # a clone has one of its own at least
@@ -80,7 +80,7 @@ class WeberPennGen:
                      leaves[:, 6:9], leaves[:, 9:], cut, look)  # fmt: skip
 
 
-def _tree_rule(v: Mapping[str, Any], u1: float, u2: float, u3: float, _: float) -> TreeRule:
+def _tree_rule(v: Mapping[str, Any], u1: float, u2: float, u3: float) -> TreeRule:
     """Rule of the whole tree; the draws in [0, 1) vary height, length and radius of the trunk."""
     height = max(v["scale"] + v["scale_v"] * (2 * u1 - 1), SMALLEST * v["scale"])
     length = max(v["length_0"] + v["length_v_0"] * (2 * u2 - 1), 0.05) * height
@@ -92,14 +92,14 @@ def _tree_rule(v: Mapping[str, Any], u1: float, u2: float, u3: float, _: float) 
     )  # fmt: skip
 
 
-def _level_rule(v: Mapping[str, Any], n: int) -> LevelRule:
+def _level_rule(v: Mapping[str, Any], n: int, tree: TreeRule) -> LevelRule:
     """Rule of the stems of level `n` and of where their children begin; angles become turns."""
     segments, curve, back, curve_v, bend_v, taper, splits, split_angle, split_angle_v = _OWN[n](v)
     down, down_v, rotate, rotate_v, *lengths = _CHILDREN[n](v)
     leafy, child = n == v["levels"] - 1, min(n + 1, LEVELS - 1)
     part = _TURN / segments
     halves = (curve * part, curve * part) if back == 0 else (2 * curve * part, 2 * back * part)
-    bare = v["base_size"] * v["scale"] / max(v["length_0"] * v["scale"], 1e-6) if n == 0 else v[f"base_size_{n}"]
+    bare = tree.bare * tree.height / tree.length if n == 0 else v[f"base_size_{n}"]
     return LevelRule(
         segments, *halves, -curve_v * _TURN if curve_v < 0 else curve_v * part, curve_v < 0, bend_v * part,
         taper, splits, split_angle * _TURN, split_angle_v * _TURN, min(bare, 0.99),

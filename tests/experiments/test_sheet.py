@@ -19,7 +19,7 @@ from experiments.check import check
 from experiments.errors import UserError
 from experiments.sheet import parameter_rows, preset_blocks
 from experiments.sheet_cells import BUDGET, Cell, Drawing, grow
-from experiments.sheet_paper import fitted, wrapped
+from experiments.sheet_paper import wrapped
 from experiments.sheet_parameters import ROWS, Row, parameter_pages
 from experiments.sheet_presets import preset_pages
 from experiments.sheet_shown import first_shown, stages
@@ -27,7 +27,7 @@ from experiments.sheet_values import choose, nearest, steps, written
 from generators.simplegen import SimpleGen
 from tests.failing import Failing
 from treefit.asset import AssetSettings
-from treefit.asset.font import font
+from treefit.asset.font import fitted, font
 from treefit.asset.frame import BASE_SHARE
 from treefit.plant import Parameter, ParameterSpace, Plant, Preset, Value
 

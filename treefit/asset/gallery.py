@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image, ImageDraw
 
-from treefit.asset.font import font
+from treefit.asset.font import fitted, font
 from treefit.asset.frame import BASE_SHARE, TREE_SHARE
 from treefit.mask import PALETTE, Mask, check_mask
 
@@ -73,17 +73,17 @@ def _page(columns: list[_Column], title: str) -> Picture:
     width = 2 * _MARGIN + sum(column.width + _GAP for column in columns) - _GAP
     page = Image.new("RGB", (width, text + _NAME + 12 + lines * (_CAPTION + 6) + _MARGIN - 6), _PAPER)
     draw = ImageDraw.Draw(page)
-    draw.text((_MARGIN, _MARGIN - 6), _fitted(title, _TITLE, width - 2 * _MARGIN), _INK, font(_TITLE))
+    draw.text((_MARGIN, _MARGIN - 6), fitted(title, _TITLE, width - 2 * _MARGIN), _INK, font(_TITLE))
     left = _MARGIN
     for column in columns:
         for row, panel in enumerate(column.panels):
             place = (left, _TOP + row * (_HEIGHT + _GAP))
             page.paste(_cut_to(panel, column.width), place)
             draw.rectangle((*place, place[0] + column.width - 1, place[1] + _HEIGHT - 1), outline=_LINE)
-        draw.text((left, text), _fitted(column.name, _NAME, column.width), _INK, font(_NAME))
+        draw.text((left, text), fitted(column.name, _NAME, column.width), _INK, font(_NAME))
         for j, line in enumerate(column.caption):
             at = (left, text + _NAME + 12 + j * (_CAPTION + 6))
-            draw.text(at, _fitted(line, _CAPTION, column.width), _FAINT, font(_CAPTION))
+            draw.text(at, fitted(line, _CAPTION, column.width), _FAINT, font(_CAPTION))
         left += column.width + _GAP
     return np.asarray(page, dtype=np.uint8)
 
@@ -152,14 +152,3 @@ def _tree_in(mask: Mask) -> _Tree:
     top, base = int(rows[0]), int(rows[-1]) + 1
     foot = np.flatnonzero(mask[base - 1 - (base - top) // 50 : base].any(axis=0))
     return _Tree(base, float(foot.mean()) + 0.5, base - top)
-
-
-def _fitted(text: str, size: int, room: float) -> str:
-    """Return `text` on one line, shortened with an ellipsis where it is wider than `room` pixels."""
-    letters = font(size)
-    text = " ".join(text.split())
-    if letters.getlength(text) <= room:
-        return text
-    while text and letters.getlength(text + "…") > room:
-        text = text[:-1]
-    return text + "…"
