@@ -22,8 +22,9 @@ from experiments.build import build
 from experiments.errors import UserError, blame, did_you_mean, one_line
 from experiments.preset import find_preset
 from experiments.run_folder import settle
-from experiments.settings import TASKS, Settings, read_settings
+from experiments.settings import TASKS, Settings, Strip, read_settings
 from experiments.sheet_values import choose
+from experiments.strip_growth import shown_parameter
 from treefit.plant import Generator
 
 CONFIG_FOLDER = Path(__file__).parents[1] / "conf"
@@ -68,12 +69,14 @@ def _check_values(overrides: list[Override], cfg: DictConfig) -> None:
 def _check_of_generator(cfg: DictConfig, settings: Settings) -> None:
     """Raise UserError for what only the generator knows: its presets, the names and values of its parameters."""
     chosen = settings.sheet.names if settings.task == "sheet" else None
-    if settings.preset is None and chosen is None and not settings.values:
+    strip = settings.strip if settings.task == "grow" else Strip()
+    if settings.preset is None and chosen is None and not settings.values and strip == Strip():
         return
     generator = cast(Generator, build(cfg.generator, "generator"))
     if settings.preset is not None:
         find_preset(settings.preset, generator)
     choose(generator.space, chosen)
+    shown_parameter(generator, strip)
     with blame("values"):
         generator.space.complete(settings.values)
 

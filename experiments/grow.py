@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import logging
+from pathlib import Path
 from typing import cast
 
 import numpy as np
@@ -13,17 +14,22 @@ from PIL import Image
 from experiments.build import build
 from experiments.preset import wanted_plant
 from experiments.run_folder import run_folder
+from experiments.settings import read_settings
+from experiments.sheet_cells import BUDGET
+from experiments.strip import write_strip
+from experiments.strip_growth import Growth, shown_parameter
 from treefit.asset import AssetSettings, picture, write_glb
-from treefit.plant import Budget, Generator, Plant, check_plant, write_preset
+from treefit.plant import Generator, Plant, Values, check_plant, write_preset
 from treefit.plant.extent import extent_of
-
-BUDGET = Budget(vertices=500_000, leaves=1_000_000)
 
 _log = logging.getLogger(__name__)
 
 
 def run(cfg: DictConfig) -> None:
-    """Grow cfg.generator from cfg.preset and cfg.values; write its files and print one JSON line last."""
+    """Grow cfg.generator from cfg.preset and cfg.values; write its files and print one JSON line last.
+
+    With a strip, `strip_failed` says which years could not be shown, and why.
+    """
     generator, folder = cast(Generator, build(cfg.generator, "generator")), run_folder()
     asset = cast(AssetSettings, build(cfg.asset, "asset"))
     values, seed = wanted_plant(cfg, generator)
@@ -34,15 +40,28 @@ def run(cfg: DictConfig) -> None:
     counts = write_glb(plant, folder / "tree.glb", asset)
     Image.fromarray(picture(plant, asset)).save(folder / "picture.png")
     write_preset(folder / "preset.yaml", generator=generator.name, version=generator.version, seed=seed, values=values)
-    files = {name: str(folder / name) for name in ("tree.glb", "picture.png", "preset.yaml")}
+    strips, failed = _strip(cfg, generator, values, seed, asset)
     facts = {
         "generator": generator.name,
         "seed": seed,
         **describe(plant),
         "triangles": counts.triangles,
-        "files": files,
+        "files": {name: str(folder / name) for name in ("tree.glb", "picture.png", "preset.yaml", *strips)},
+        **({"strip_failed": failed} if strips else {}),
     }
     print(json.dumps(facts, ensure_ascii=False), flush=True)
+
+
+def _strip(
+    cfg: DictConfig, generator: Generator, values: Values, seed: int, asset: AssetSettings
+) -> tuple[list[str], list[str]]:
+    """Write the growth strip where there is one to show: names of its files, and what is missing in it."""
+    settings = read_settings(cfg).strip
+    parameter = shown_parameter(generator, settings)
+    if parameter is None:
+        return [], []
+    preset = None if cfg.preset is None else Path(cfg.preset).stem.removesuffix("preset")
+    return write_strip(run_folder(), Growth(generator, parameter, values, seed), settings, asset, preset)
 
 
 def describe(plant: Plant) -> dict[str, object]:

@@ -125,6 +125,20 @@ class Sheet:
     height: Annotated[int, Field(ge=64, le=512)] = 150
 
 
+@dataclass(frozen=True, config=ConfigDict(extra="forbid"))
+class Strip:
+    """What the growth strip of the task grow shows: a plant at `frames` values of `parameter`, its age when None.
+
+    `frames` None is 8 when there is something to show, and none otherwise; `height` is that of a row in pixels.
+    """
+
+    frames: Annotated[int, Field(ge=0, le=60)] | None = None
+    parameter: Name | None = None
+    look: Literal["shaded", "mask", "both"] = "shaded"
+    height: Annotated[int, Field(ge=64, le=1024)] = 260
+    animation: bool = False
+
+
 @dataclass(frozen=True)
 class Settings:
     """Values of the run itself; files are names as the user gave them."""
@@ -144,6 +158,7 @@ class Settings:
     speed_study: SpeedStudy = SpeedStudy()
     similarities: Similarities = field(default_factory=Similarities)
     sheet: Sheet = field(default_factory=Sheet)
+    strip: Strip = field(default_factory=Strip)
 
     @field_validator("task")
     @classmethod

@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from experiments.errors import one_line
-from experiments.grow import BUDGET
 from treefit.asset import AssetSettings, picture
 from treefit.asset.frame import TREE_SHARE, Frame
 from treefit.mask import PALETTE
@@ -20,11 +19,14 @@ from treefit.plant.extent import Extent, extent_of
 from treefit.view import Frame as Window
 from treefit.view import OrthographicView
 
+BUDGET = Budget(vertices=500_000, leaves=1_000_000)
+"""Of a single plant that is grown to be looked at."""
+
 WIDTH = 1.06  # of a cell by its height
 _SIDE_ROOM = 0.05  # of a cell's height, left and right of the widest plant
 _MASK_ROWS, _MOST_WORDS = 256, 128
 _FINER = 2
-_THREADS = 2  # more wait for each other
+THREADS = 2  # more wait for each other
 
 Picture = NDArray[np.uint8]  # (h, w, 3) sRGB
 
@@ -67,7 +69,7 @@ class Drawing:
         scale = _scale(extents) if extents else 1.0
         drawn = [next(j for j in range(i + 1) if same(plants[j], plant)) for i, plant in enumerate(plants)]
         alone = sorted(set(drawn))
-        with ThreadPoolExecutor(_THREADS) as pool:
+        with ThreadPoolExecutor(THREADS) as pool:
             cells = dict(zip(alone, pool.map(lambda i: self._cell(plants[i], scale), alone), strict=True))
         return [cells[i] for i in drawn]
 
@@ -77,9 +79,9 @@ class Drawing:
         shaded = mask = None
         try:
             if self.look != "mask":
-                shaded = _shaded_panel(plant, self.asset, _frame(self.height, scale))
+                shaded = shaded_panel(plant, self.asset, _frame(self.height, scale))
             if self.look != "shaded":
-                mask = _mask_panel(plant, _frame(self.mask_height, scale))
+                mask = mask_panel(plant, _frame(self.mask_height, scale))
         except Exception as error:
             return Cell(failure=f"not drawn: {one_line(error)}")
         return Cell(shaded, mask)
@@ -119,13 +121,13 @@ def _width(height: int) -> int:
     return 2 * round(height * WIDTH / 2)
 
 
-def _shaded_panel(plant: Plant, asset: AssetSettings, frame: Frame) -> Picture:
+def shaded_panel(plant: Plant, asset: AssetSettings, frame: Frame) -> Picture:
     """Picture of `plant`, drawn larger than it is shown: twigs as wide as a small pixel would hide the leaves."""
     large = Image.fromarray(picture(plant, asset, frame.finer(_FINER)))
     return np.asarray(large.resize((frame.width, frame.height), Image.Resampling.BOX), dtype=np.uint8)
 
 
-def _mask_panel(plant: Plant, frame: Frame) -> Picture:
+def mask_panel(plant: Plant, frame: Frame) -> Picture:
     """Mask of `plant` in its colours where the picture has the plant: at the frame's scale, on its baseline."""
     extent = extent_of(plant)
     reach = max(-extent.left, extent.right) / max(extent.height, 1e-6)

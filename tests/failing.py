@@ -23,6 +23,7 @@ class Failing:
     name: str = "failing"
     version: str = "1"
     size_parameter: str | None = "branch_len_0"
+    age_parameter: str | None = None
     presets: ClassVar[Mapping[str, Preset]] = {}
 
     @property

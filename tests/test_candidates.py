@@ -31,6 +31,7 @@ class OneSeed:
     version: str = "1"
     parallel: str = "threads"
     size_parameter: str | None = None
+    age_parameter: str | None = None
     presets: ClassVar[Mapping[str, Preset]] = {}
     space: ParameterSpace = field(default_factory=lambda: SimpleGen().space)
 

@@ -38,6 +38,7 @@ class SimpleGen:
     version: ClassVar[str] = "2"
     parallel: ClassVar[str] = "threads"
     size_parameter: ClassVar[str | None] = "branch_len_0"
+    age_parameter: ClassVar[str | None] = None
     presets: ClassVar[Mapping[str, Preset]] = {}
 
     def __post_init__(self) -> None:

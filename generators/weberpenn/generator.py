@@ -53,6 +53,7 @@ class WeberPennGen:
     version: ClassVar[str] = "1"
     parallel: ClassVar[str] = "threads"
     size_parameter: ClassVar[str | None] = "scale"
+    age_parameter: ClassVar[str | None] = None
 
     @cached_property
     def space(self) -> ParameterSpace:

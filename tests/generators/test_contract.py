@@ -7,6 +7,7 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 import pytest
 
+from generators.gegen import GEGen
 from generators.simplegen import SimpleGen
 from generators.weberpenn import WeberPennGen
 from treefit.plant import Budget, Generator, Plant, check_plant
@@ -14,6 +15,7 @@ from treefit.plant import Budget, Generator, Plant, check_plant
 GENERATORS: dict[str, Generator] = {
     "simplegen": SimpleGen(), "simplegen_paper": SimpleGen(additions=False),
     "weberpenn": WeberPennGen(), "weberpenn_full": WeberPennGen(full=True),
+    "gegen": GEGen(),
 }  # fmt: skip
 FIELDS = ("position", "radius", "parent", "level", "leaf_position", "leaf_axis", "leaf_normal", "leaf_size")
 SMALL = Budget(4_000, 8_000)

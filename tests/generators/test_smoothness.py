@@ -14,7 +14,7 @@ from treefit.similarity import PaperSimilarity
 from treefit.view import OrthographicView
 
 
-@pytest.mark.parametrize("name", ["simplegen", "weberpenn"])
+@pytest.mark.parametrize("name", ["simplegen", "weberpenn", "gegen"])
 def test_a_small_step_changes_the_score_a_little(name: str) -> None:
     wishes = Characteristics(vertices=None)
     objective = aim(blob(256, 256), GENERATORS[name], PaperSimilarity(), wishes, OrthographicView(), 0)

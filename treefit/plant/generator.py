@@ -47,6 +47,14 @@ class Generator(Protocol):
         """
 
     @property
+    def age_parameter(self) -> str | None:
+        """Parameter that counts the years of growth, whole and from 1; None for a plant that does not grow by years.
+
+        With all else equal a plant of fewer years is the same one when it was younger. Growth may end by itself: from
+        then on more years change nothing.
+        """
+
+    @property
     def space(self) -> ParameterSpace:
         """Parameters that the generator takes."""
 

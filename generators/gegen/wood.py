@@ -1,0 +1,58 @@
+"""Wood: radii by the pipe model (Shinozaki et al. 1964), shed branches remembered; the vertices of the plant."""
+
+from __future__ import annotations
+
+import numpy as np
+from numba import njit
+
+from generators.gegen.tree import AXIS, BASE, DEAD, LATERALS, LEVEL, PARENT, WOOD, X, Y, Z
+from treefit.plant.compiling import ONCE
+
+_ZERO, _ONE = np.float32(0.0), np.float32(1.0)
+
+
+@njit(**ONCE)
+def add_pipes(rule, tree, n):
+    """Fill WOOD: r^pipe of every joint is the sum of those of what it bears; a tip is one pipe."""
+    joint, node, _, stem, _ = tree
+    wood = joint[WOOD]
+    memory = np.float32(rule.shed_memory)
+    for i in range(n):
+        wood[i] = _ZERO
+    for i in range(n - 1, 0, -1):
+        if wood[i] == _ZERO:
+            wood[i] = _ONE
+        a, p = node[AXIS, i], node[PARENT, i]
+        shed = stem[DEAD, a] and not stem[DEAD, node[AXIS, p]]
+        wood[p] += memory * wood[i] if shed else wood[i]
+
+
+@njit(**ONCE)
+def bury(tree, axes):
+    """Mark what grows on dead branches as dead."""
+    node, stem = tree.node, tree.stem
+    for a in range(1, axes):
+        if stem[DEAD, node[AXIS, stem[BASE, a]]]:
+            stem[DEAD, a] = 1
+
+
+@njit(**ONCE)
+def write(rule, tree, n, numbers, integers):
+    """Write place, radius, parent, level of the joints that live; return (vertices, whether some were cut)."""
+    joint, node, _, stem, _ = tree
+    m = 0
+    inverse = np.float32(1.0 / rule.pipe)
+    tip = np.float32(rule.tip_radius)
+    place = node[LATERALS]
+    for i in range(n):
+        if stem[DEAD, node[AXIS, i]]:
+            continue
+        if m >= numbers.shape[1]:
+            return m, True
+        numbers[0, m], numbers[1, m], numbers[2, m] = joint[X, i], joint[Y, i], joint[Z, i]
+        numbers[3, m] = tip * joint[WOOD, i] ** inverse
+        integers[0, m] = place[node[PARENT, i]] if i > 0 else -1
+        integers[1, m] = stem[LEVEL, node[AXIS, i]]
+        place[i] = m
+        m += 1
+    return m, False
