@@ -7,7 +7,7 @@ import math
 import numpy as np
 from numba import njit
 
-from generators.gegen.shoots import AIM, PLACES, extend
+from generators.gegen.shoots import AIM, PLACES
 from generators.gegen.tree import (
     AGED,
     AXIS,
@@ -30,11 +30,12 @@ from generators.gegen.tree import (
     START,
     STORE,
     TIP,
+    UNITS,
 )  # fmt: skip
-from treefit.plant.compiling import INNER
+from treefit.plant.compiling import ONCE
 from treefit.plant.streams import child_key, circle, two, uniform
 
-UNITS = 2
+START_UNITS = 2
 """Purpose of the draw of a bud: the part of an internode that it has from the start."""
 JITTER = np.float32(0.08)
 """Turns of azimuth that are random."""
@@ -42,51 +43,47 @@ _ZERO, _ONE, _HALF, _TINY = (np.float32(x) for x in (0.0, 1.0, 0.5, 1e-9))
 _TURN = np.float32(1 / (2 * math.pi))
 
 
-@njit(**INNER)
-def sprout(rule, tree, j, amount, n, axes, bound, year, shade, scale, world):
-    """Grow the lateral buds of a joint from `amount` of resource; return (joints, axes)."""
-    joint, node, _, stem, key = tree
-    a = node[AXIS, j]
-    level, buds = stem[LEVEL, a], node[BUDS, j]
-    joint[STORE, j] += min(amount / np.float32(buds), bound)
-    first, stored = axes, joint[STORE, j]
+@njit(**ONCE)
+def sprout(rule, tree, j, amount, axes, bound, year):
+    """Make axes of the lateral buds of a joint that have internodes to grow from `amount`; return the axes."""
+    joint, node, axis, stem, key = tree
+    a = node[j, AXIS]
+    level, buds, first = stem[a, LEVEL], node[j, BUDS], axes
+    together = level == 0 and node[j, ORDER] == int(rule.trunk) and rule.forks > 0
+    stored = joint[j, STORE] + min(amount / np.float32(buds), bound)
+    joint[j, STORE] = stored
+    place = child_key(key[a], node[j, ORDER] + PLACES)
     for bud in range(buds):
-        own = child_key(child_key(key[a], node[ORDER, j] + PLACES), bud + PLACES)
-        grown = stored + uniform(own, UNITS)
-        if level == 0 and node[ORDER, j] == int(rule.trunk) and rule.forks > 0:
-            grown = max(grown, _ONE)  # they begin together
-        count = int(grown)
-        if count == 0 or axes >= stem.shape[1]:
+        own = child_key(place, bud + PLACES)
+        grown = stored + uniform(own, START_UNITS)
+        units = int(max(grown, _ONE)) if together else int(grown)
+        if units == 0 or axes >= len(stem):
             continue
-        dx, dy, dz = _lateral(rule, tree, j, level, bud, buds, own)
-        tree.axis[OUT_X, axes], tree.axis[OUT_Y, axes], tree.axis[OUT_Z, axes] = dx, dy, dz
-        stem[BASE, axes] = stem[TIP, axes] = j
-        stem[HEAD, axes] = -1
-        stem[LEVEL, axes], stem[START, axes], stem[AGED, axes], stem[DEAD, axes] = level + 1, year, 0, 0
+        axis[axes, OUT_X], axis[axes, OUT_Y], axis[axes, OUT_Z] = _lateral(rule, tree, j, level, bud, buds, own)
+        axis[axes, KEPT], axis[axes, GIVEN] = max(grown - np.float32(units), _ZERO), _ZERO
+        stem[axes, BASE], stem[axes, TIP], stem[axes, HEAD], stem[axes, LEVEL] = j, j, -1, level + 1
+        stem[axes, START], stem[axes, UNITS], stem[axes, AGED], stem[axes, DEAD] = year, units, 0, 0
         key[axes] = own
-        tree.axis[KEPT, axes], tree.axis[GIVEN, axes] = grown - np.float32(count), _ZERO
-        n = extend(rule, tree, axes, n, count, year, shade, scale, world)
-        if stem[HEAD, axes] >= 0:
-            axes += 1
+        axes += 1
     if axes > first:
-        node[FIRST, j], node[LATERALS, j], node[BUDS, j] = first, axes - first, 0
-    return n, axes
+        node[j, FIRST], node[j, LATERALS], node[j, BUDS] = first, axes - first, 0
+    return axes
 
 
-@njit(**INNER)
+@njit(**ONCE)
 def _lateral(rule, tree, j, level, bud, buds, key):
     """Direction in which a lateral bud of a joint sets out."""
     joint, node = tree.joint, tree.node
-    dx, dy, dz = joint[DX, j], joint[DY, j], joint[DZ, j]
+    dx, dy, dz = joint[j, DX], joint[j, DY], joint[j, DZ]
     u, v = two(child_key(key, AIM))
-    order = np.float32(node[ORDER, j])
+    order = np.float32(node[j, ORDER])
     turn = order * np.float32(rule.phyllotaxis) + np.float32(bud) / np.float32(buds)
     turn += JITTER * (u - _HALF)
-    forks = level == 0 and node[ORDER, j] == int(rule.trunk) and rule.forks > 0
+    forks = level == 0 and node[j, ORDER] == int(rule.trunk) and rule.forks > 0
     if forks:
         angle = rule.fork_angle
     elif level == 0:
-        angle = rule.angle + (rule.angle_top - rule.angle) * min(node[ORDER, j] / rule.height, 1.0)
+        angle = rule.angle + (rule.angle_top - rule.angle) * min(node[j, ORDER] / rule.height, 1.0)
     else:
         angle = rule.angle_branches
     angle += rule.angle_variation * (2.0 * v - 1.0)

@@ -42,7 +42,7 @@ def enclose(joint, n, scale, box):
     """Widen `box` (first and last voxel by x and y, last layer) to hold the joints and the shade beside them."""
     low_x = high_x = low_y = high_y = high = _ZERO
     for i in range(n):
-        x, y, z = joint[X, i], joint[Y, i], joint[Z, i]
+        x, y, z = joint[i, X], joint[i, Y], joint[i, Z]
         low_x, high_x, low_y, high_y = min(low_x, x), max(high_x, x), min(low_y, y), max(high_y, y)
         high = max(high, z)
     middle, far = WIDE // 2, WIDE - 1

@@ -31,13 +31,13 @@ def put_leaves(rule, tree, n, shade, scale, world, leaves):
     if number <= 0:
         return 0, False
     for i in range(1, n):
-        if stem[DEAD, node[AXIS, i]] or stem[LAST, node[AXIS, i]] - node[BORN, i] >= rule.leaf_years:
+        if stem[node[i, AXIS], DEAD] or stem[node[i, AXIS], LAST] - node[i, BORN] >= rule.leaf_years:
             continue
-        x, y, z = joint[X, i], joint[Y, i], joint[Z, i]
+        x, y, z = joint[i, X], joint[i, Y], joint[i, Z]
         light = light_at(shade, x, y, z, scale)
-        own = child_key(key[node[AXIS, i]], node[ORDER, i] + PLACES)
+        own = child_key(key[node[i, AXIS]], node[i, ORDER] + PLACES)
         count = int(number * light**power + uniform(own, LEAF))
-        dx, dy, dz = joint[DX, i], joint[DY, i], joint[DZ, i]
+        dx, dy, dz = joint[i, DX], joint[i, DY], joint[i, DZ]
         ax, ay = -dy + np.float32(1e-3), dx
         size = _ONE / math.sqrt(ax * ax + ay * ay + _TINY)
         ax, ay = ax * size, ay * size

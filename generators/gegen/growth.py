@@ -15,7 +15,7 @@ from generators.gegen.light import cast_shade, gather
 from generators.gegen.neighbours import add_still, shade_of_scenery
 from generators.gegen.obstacles import World
 from generators.gegen.rules import Rule
-from generators.gegen.shoots import extend
+from generators.gegen.shoots import grow_shoots
 from generators.gegen.tree import (
     AGED,
     BASE,
@@ -25,6 +25,8 @@ from generators.gegen.tree import (
     GATHERED,
     GIVEN,
     HEAD,
+    JOINT_FLOATS,
+    JOINT_INTS,
     KEPT,
     LAST,
     LEVEL,
@@ -32,15 +34,16 @@ from generators.gegen.tree import (
     PARENT,
     START,
     TIP,
+    UNITS,
     Tree,
 )  # fmt: skip
 from generators.gegen.wood import add_pipes, bury, write
-from generators.gegen.year import grow_year, leader_at
+from generators.gegen.year import leader_at, share_year
 from treefit.plant.compiling import FAST, INNER, ONCE
 from treefit.plant.streams import child_key
 
-LEAST_BOUND = np.float32(0.5)
-"""Internodes a year at which the growth equation ends the growth."""
+LEAST_GROWTH = np.float32(0.014)
+"""Share of the grown leader; when the growth equation gives less in a year, growth ends."""
 
 _fixed: Any = to_fixed_tuple  # an intrinsic: its first argument is the compiler's
 _NUMBERS = len(Rule._fields)
@@ -56,9 +59,7 @@ def grow(told, key, capacity, state, light, shares, scene, numbers, integers, le
     """
     rule = Rule(*_fixed(told, _NUMBERS))
     floats, ints, axis_floats, axis_ints, keys = state
-    tree = Tree(
-        floats[:, :capacity], ints[:, :capacity], axis_floats[:, :capacity], axis_ints[:, :capacity], keys[:capacity]
-    )
+    tree = Tree(floats[:capacity], ints[:capacity], axis_floats[:capacity], axis_ints[:capacity], keys[:capacity])
     source, own, still, total, rows, box, taken = light
     boxes, mask, extent, scenery = scene
     world = World(len(boxes) + len(mask) > 0, boxes, mask, extent, taken)
@@ -71,19 +72,20 @@ def grow(told, key, capacity, state, light, shares, scene, numbers, integers, le
     box[1] = box[3] = box[4] = 0
     n, axes, scale, year, growing = _begin(rule, tree, key), 1, np.float32(CELLS / rule.height), 1, True
     while growing:
-        cast_shade(rule, tree, n, scale, source, own, rows, box)
+        cast_shade(rule, tree, n, axes, scale, source, own, rows, box)
         if surrounded:
             add_still(shade, own, still, box)
         bound = np.float32(leader_at(rule, year) - leader_at(rule, year - 1))
-        grown = leader_at(rule, year) > rule.leader / 2 and bound < LEAST_BOUND
-        growing = year <= rule.age and not grown and n < capacity
+        grown = leader_at(rule, year) > rule.leader / 2 and bound < LEAST_GROWTH * rule.leader
+        growing = year == 1 or (year <= rule.age and not grown and n < capacity)
         if growing:
             gather(rule, tree, axes, shade, scale, year)
-            tree.axis[GIVEN, 0] = min(_resource(rule, year), np.float32(rule.vigour) * tree.axis[GATHERED, 0])
-            n, axes = grow_year(rule, tree, n, axes, year, bound, shade, scale, shares, world)
+            tree.axis[0, GIVEN] = min(_resource(rule, n, year, bound), np.float32(rule.vigour) * tree.axis[0, GATHERED])
+            axes = share_year(rule, tree, axes, year, bound, shares)
+            if n == 1:  # a seedling grows in any case
+                tree.stem[0, UNITS] = max(tree.stem[0, UNITS], 1)
+            n = grow_shoots(rule, tree, n, axes, year, shade, scale, world)
         year += 1
-    if n == 1:  # what found nothing to grow from is a seedling
-        n = extend(rule, tree, 0, n, 1, 1, shade, scale, world)
     bury(tree, axes)
     add_pipes(rule, tree, n)
     k, cut = put_leaves(rule, tree, n, shade, scale, world, leaves)
@@ -92,26 +94,27 @@ def grow(told, key, capacity, state, light, shares, scene, numbers, integers, le
 
 
 @njit(**INNER)
-def _resource(rule, year):
-    """Internodes that the whole tree may grow in a year: the crown grows as the square of its height."""
-    crown = max(rule.leader - rule.trunk, 1.0)
-    after, before = leader_at(rule, year), leader_at(rule, year - 1)
-    part, earlier = max(after - rule.trunk, 0.0) / crown, max(before - rule.trunk, 0.0) / crown
-    return np.float32(max(rule.internodes * (part * part - earlier * earlier), 2.0 * (after - before)))
+def _resource(rule, n, year, bound):
+    """Internodes that the tree may grow in a year: what it lacks by now of the square of its crown's height.
+
+    They are at least enough for the leader.
+    """
+    part = max(leader_at(rule, year) - rule.trunk, 0.0) / max(rule.leader - rule.trunk, 1.0)
+    return np.float32(max(rule.internodes * part * part - n, 2.0 * bound))
 
 
 @njit(**ONCE)
 def _begin(rule, tree, key):
     """Make the root with a bud; return the joints."""
     joint, node, axis, stem, keys = tree
-    for r in range(len(joint)):
-        joint[r, 0] = _ZERO
-    for r in range(len(node)):
-        node[r, 0] = 0
-    joint[DX, 0], joint[DZ, 0] = np.float32(math.sin(rule.lean)), np.float32(math.cos(rule.lean))
-    node[PARENT, 0] = node[NEXT, 0] = -1
-    stem[BASE, 0], stem[HEAD, 0], stem[TIP, 0] = -1, 0, 0
-    stem[LEVEL, 0] = stem[LAST, 0] = stem[START, 0] = stem[AGED, 0] = stem[DEAD, 0] = 0
+    for r in range(JOINT_FLOATS):
+        joint[0, r] = _ZERO
+    for r in range(JOINT_INTS):
+        node[0, r] = 0
+    joint[0, DX], joint[0, DZ] = np.float32(math.sin(rule.lean)), np.float32(math.cos(rule.lean))
+    node[0, PARENT] = node[0, NEXT] = -1
+    stem[0, BASE], stem[0, HEAD], stem[0, TIP] = -1, 0, 0
+    stem[0, LEVEL] = stem[0, LAST] = stem[0, START] = stem[0, UNITS] = stem[0, AGED] = stem[0, DEAD] = 0
     keys[0] = child_key(key, 0)
-    axis[KEPT, 0] = _HALF
+    axis[0, KEPT] = _HALF
     return 1

@@ -11,7 +11,6 @@ from numba import njit
 from generators.gegen.field import cast, enclose, light_at, propagate
 from generators.gegen.tree import (
     AGED,
-    AXIS,
     BASE,
     BORN,
     BUDS,
@@ -44,8 +43,8 @@ _ZERO, _ONE = np.float32(0.0), np.float32(1.0)
 
 
 @njit(**ONCE)
-def cast_shade(rule, tree, n, scale, source, shade, row, box):
-    """Fill `shade` with that of the leaves of the first `n` joints."""
+def cast_shade(rule, tree, n, axes, scale, source, shade, row, box):
+    """Fill `shade` with that of the leaves."""
     joint, node, _, stem, _ = tree
     enclose(joint, n, scale, box)
     for z in range(box[4] + 1):
@@ -53,9 +52,11 @@ def cast_shade(rule, tree, n, scale, source, shade, row, box):
             for x in range(box[0] - 1, box[1] + 1):
                 source[z, y, x] = _ZERO
     amount = np.float32(rule.shade) * scale * scale
-    for i in range(1, n):
-        if not stem[DEAD, node[AXIS, i]] and stem[LAST, node[AXIS, i]] - node[BORN, i] < rule.leaf_years:
-            cast(source, joint[X, i], joint[Y, i], joint[Z, i], scale, amount)
+    for a in range(axes):
+        j, base, oldest = stem[a, TIP], max(stem[a, BASE], 0), stem[a, LAST] - rule.leaf_years
+        while not stem[a, DEAD] and j != base and node[j, BORN] > oldest:
+            cast(source, joint[j, X], joint[j, Y], joint[j, Z], scale, amount)
+            j = node[j, PARENT]
     propagate(source, shade, row, box, np.float32(rule.light_x), np.float32(rule.light_y))
 
 
@@ -64,37 +65,37 @@ def gather(rule, tree, axes, shade, scale, year):
     """Sum the light of buds over every axis and over what is to the side of its joints; shed branches."""
     joint, node, axis, stem, key = tree
     for a in range(axes - 1, -1, -1):
-        axis[GATHERED, a] = axis[SIZE, a] = _ZERO
-        if stem[DEAD, a]:
+        axis[a, GATHERED] = axis[a, SIZE] = _ZERO
+        if stem[a, DEAD]:
             continue
-        j, base = stem[TIP, a], stem[BASE, a]
+        j, base = stem[a, TIP], stem[a, BASE]
         main, size = _ZERO, _ZERO
-        if not stem[AGED, a]:
-            main = light_at(shade, joint[X, j], joint[Y, j], joint[Z, j], scale)
-            joint[SIDE, j] = _ZERO
-            joint[MAIN, j] = main
+        if not stem[a, AGED]:
+            main = light_at(shade, joint[j, X], joint[j, Y], joint[j, Z], scale)
+            joint[j, SIDE] = _ZERO
+            joint[j, MAIN] = main
             size += _ONE
-            j = node[PARENT, j]
+            j = node[j, PARENT]
         while j != base:
             side = _ZERO
-            if node[LATERALS, j] > 0:
-                for lateral in range(node[FIRST, j], node[FIRST, j] + node[LATERALS, j]):
-                    side += axis[GATHERED, lateral]
-                    size += axis[SIZE, lateral]
-            elif node[BUDS, j] > 0:
-                if year - node[BORN, j] > rule.bud_life:
-                    node[BUDS, j] = 0
+            if node[j, LATERALS] > 0:
+                for lateral in range(node[j, FIRST], node[j, FIRST] + node[j, LATERALS]):
+                    side += axis[lateral, GATHERED]
+                    size += axis[lateral, SIZE]
+            elif node[j, BUDS] > 0:
+                if year - node[j, BORN] > rule.bud_life:
+                    node[j, BUDS] = 0
                 else:
-                    light = light_at(shade, joint[X, j], joint[Y, j], joint[Z, j], scale)
-                    side = light * joint[WEIGHT, j] * np.float32(node[BUDS, j])
-            joint[MAIN, j], joint[SIDE, j] = main, side
+                    light = light_at(shade, joint[j, X], joint[j, Y], joint[j, Z], scale)
+                    side = light * joint[j, WEIGHT] * np.float32(node[j, BUDS])
+            joint[j, MAIN], joint[j, SIDE] = main, side
             main += side
             size += _ONE
-            j = node[PARENT, j]
-        if a > 0 and year - stem[START, a] >= YOUNG and _given_up(rule, main, size, key[a]):
-            stem[DEAD, a] = 1
+            j = node[j, PARENT]
+        if a > 0 and year - stem[a, START] >= YOUNG and _given_up(rule, main, size, key[a]):
+            stem[a, DEAD] = 1
             continue
-        axis[GATHERED, a], axis[SIZE, a] = main, size
+        axis[a, GATHERED], axis[a, SIZE] = main, size
 
 
 @njit(**ONCE)

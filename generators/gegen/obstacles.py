@@ -56,7 +56,8 @@ def around(world, x, y, z, dx, dy, dz, unit):
     best, bx, by, bz = _ZERO, dx, dy, dz
     for lost in range(-1, 3):  # -1: none; one loop, so that the test is compiled once
         sx, sy, sz = _ZERO if lost == 0 else dx, _ZERO if lost == 1 else dy, _ZERO if lost == 2 else dz
-        length = np.float32(math.sqrt(sx * sx + sy * sy + sz * sz))
+        whole = lost < 0  # as given, to the last bit
+        length = _ONE if whole else np.float32(math.sqrt(sx * sx + sy * sy + sz * sz))
         if length <= best or length < np.float32(1e-3):
             continue
         sx, sy, sz = sx / length, sy / length, sz / length

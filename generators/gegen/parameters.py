@@ -18,11 +18,11 @@ def _count(name: str, low: int, high: int, default: int, unit: str, doc: str, lo
 _SIZE = (
     _number("internode", 0.05, 1.0, 0.25, "m", "length of an internode: the size, and nothing else", least=1e-3),
     _count("age", 6, 30, 24, "years", "years that the tree grows", least=1, most=100),
-    _count("leader", 18, 56, 36, "internodes", "height of the grown tree (Xm of the growth equation)", True, 4, 400),
+    _count("leader", 22, 60, 36, "internodes", "height of the grown tree (Xm of the growth equation)", True, 4, 400),
     _number("start", 1.0, 4.0, 2.0, "internodes", "height in the first year (X0)", least=0.1),
-    _number("growth_rate", 0.15, 0.6, 0.35, "1/year", "how fast it comes to its height (r)", least=0.01, most=5),
+    _number("growth_rate", 0.2, 0.6, 0.35, "1/year", "how fast it comes to its height (r)", least=0.01, most=5),
     _count(
-        "internodes", 700, 8000, 3000, "internodes", "grown in the whole life, lost branches too", True, 10, 200_000
+        "internodes", 1000, 10000, 3000, "internodes", "grown in the whole life, lost branches too", True, 10, 200_000
     ),
     _number("vigour", 1, 8, 4, "internodes/year", "what a bud in full light can feed at most", least=0),
 )
@@ -54,7 +54,7 @@ _SHARING = (
 _BUDS = (
     _count("levels", 3, 5, 5, "levels", "levels of branches, the trunk included", least=1, most=9),
     _count("whorl", 1, 4, 1, "buds", "lateral buds at a joint of the trunk", least=1, most=12),
-    _number("bud_share", 0.15, 1.0, 0.75, "share", "joints that have lateral buds", least=0, most=1),
+    _number("bud_share", 0.4, 1.0, 0.75, "share", "joints that have lateral buds", least=0, most=1),
     _number(
         "acrotony",
         0.0,
@@ -86,7 +86,7 @@ _DIRECTIONS = (
     _number("light_seeking", 0.0, 1.5, 0.6, "1", "pull of the best-lit point by the direction so far (mu)", least=0),
     _number("straightness", 0.0, 0.6, 0.2, "1", "pull upwards on the trunk"),
     _number("tropism", -0.15, 0.25, 0.05, "1", "pull upwards at the base of branches"),
-    _number("tropism_change", -0.6, 0.5, 0.0, "1", "what that pull gains along a branch as long as the tree is high"),
+    _number("tropism_change", -1.0, 0.5, 0.0, "1", "what that pull gains along a branch as long as the tree is high"),
     _number("wobble", 0.0, 0.4, 0.15, "1", "random part of every direction", least=0),
 )
 _LIGHT = (
@@ -103,8 +103,8 @@ _LIGHT = (
     ),
     _number("neighbour_left", 0.0, 1.0, 0.0, "heights", "height of the neighbours to the left", least=0),
     _number("neighbour_right", 0.0, 1.0, 0.0, "heights", "height of the neighbours to the right", least=0),
-    _number("gap", 0.1, 0.6, 0.35, "heights", "from the trunk to the neighbours", least=0),
-    _number("shedding", 0.01, 0.4, 0.1, "1", "light a joint under which a branch is given up", True, least=0),
+    _number("gap", 0.15, 0.6, 0.35, "heights", "from the trunk to the neighbours", least=0),
+    _number("shedding", 0.01, 0.25, 0.1, "1", "light a joint under which a branch is given up", True, least=0),
     _number("shed_memory", 0.0, 1.0, 0.6, "share", "wood of lost branches that their parents keep", least=0, most=1),
 )
 _TRUNK = (
@@ -120,18 +120,18 @@ _WOOD = (
 )
 _LEAVES = (
     _count("leaf_years", 1, 6, 2, "years", "years that leaves live", least=0, most=100),
-    _number("leaf_number", 1, 16, 5, "leaves", "of a joint in full light", least=0, most=64),
-    _number("leaf_light", 0.0, 2.0, 0.3, "1", "power of the light that thins the leaves", least=0),
+    _number("leaf_number", 0, 16, 6, "leaves", "of a joint in full light", least=0, most=64),
+    _number("leaf_light", 0.0, 2.0, 0.5, "1", "power of the light that thins the leaves", least=0),
     _number("leaf_angle", 20, 90, 55, "deg", "between a shoot and its leaves"),
-    _number("leaf_length", 0.5, 2.0, 1.1, "internodes", "length of a leaf", True, least=0.01),
+    _number("leaf_length", 0.4, 1.4, 0.9, "internodes", "length of a leaf", True, least=0.01),
     _number("leaf_width", 0.15, 1.0, 0.6, "share", "width of a leaf by its length", least=0.01),
 )
 
 SPACE = ParameterSpace((*_SIZE, *_SHARING, *_BUDS, *_DIRECTIONS, *_LIGHT, *_TRUNK, *_WOOD, *_LEAVES))
 
 FIXED = {
-    "internode": 0.25, "age": 24, "start": 2.0, "vigour": 4.0,
-    "branch_growth": 1.0, "bud_life": 4, "phyllotaxis": 137.5, "angle_variation": 10.0,
-    "shed_memory": 0.6, "leaf_years": 2, "leaf_angle": 55.0, "leaf_width": 0.6,
+    "internode": 0.25, "age": 24, "start": 2.0, "vigour": 4.0, "levels": 5, "bud_life": 4, "angle_variation": 10.0,
+    "phyllotaxis": 137.5, "straightness": 0.2, "shed_memory": 0.6, "bend": 0.0, "leaf_years": 2,
+    "leaf_light": 0.5, "leaf_angle": 55.0, "leaf_width": 0.6,
 }  # fmt: skip
 """Not searched: no picture shows metres; the others do what a neighbour does."""

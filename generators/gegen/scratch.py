@@ -31,8 +31,8 @@ class Scratch(threading.local):
         if self.joints < joints:
             self.joints = joints
             self.tree = (
-                np.zeros((JOINT_FLOATS, joints), np.float32), np.zeros((JOINT_INTS, joints), np.int32),
-                np.zeros((AXIS_FLOATS, joints), np.float32), np.zeros((AXIS_INTS, joints), np.int32),
+                np.zeros((joints, JOINT_FLOATS), np.float32), np.zeros((joints, JOINT_INTS), np.int32),
+                np.zeros((joints, AXIS_FLOATS), np.float32), np.zeros((joints, AXIS_INTS), np.int32),
                 np.zeros(joints, np.uint32),
             )  # fmt: skip
             self.shares = (np.zeros(joints, np.int32), np.zeros(joints, np.float32), np.zeros(joints, np.int32))

@@ -21,15 +21,15 @@ def share(tree, a, given, apical, priority, bound, places, amounts, order):
     amounts is `given`. `apical` is lambda / (1 - lambda).
     """
     joint, node, _, stem, _ = tree
-    count, rest, j = 0, given, stem[HEAD, a]
+    count, rest, j = 0, given, stem[a, HEAD]
     while j >= 0:
-        main, side = joint[MAIN, j], joint[SIDE, j]
+        main, side = joint[j, MAIN], joint[j, SIDE]
         if side > _ZERO:
             lateral = rest * side / (apical * main + side)
             places[count], amounts[count] = j, lateral
             rest -= lateral
             count += 1
-        j = node[NEXT, j]
+        j = node[j, NEXT]
     amounts[count] = max(rest, _ZERO)
     count += 1
     if priority > 0 and count > 1:

@@ -22,17 +22,17 @@ GATHERED, GIVEN, SIZE, OUT_X, OUT_Y, OUT_Z, KEPT = range(7)
 direction, and the resource that its tip keeps for next year."""
 AXIS_FLOATS = 7
 
-BASE, HEAD, TIP, LEVEL, START, LAST, AGED, DEAD = range(8)
+BASE, HEAD, TIP, LEVEL, START, LAST, UNITS, AGED, DEAD = range(9)
 """Whole numbers of an axis: joint that bears it, its first and its last joint, level, first and last year of growth,
-1 when its tip grows no more, 1 when it was shed."""
-AXIS_INTS = 8
+internodes that it shall grow this year, 1 when its tip grows no more, 1 when it was shed."""
+AXIS_INTS = 9
 
 
 class Tree(NamedTuple):
-    """Rows of numbers; columns are joints and axes."""
+    """Numbers of joints and axes, a row each."""
 
-    joint: NDArray[np.float32]  # (JOINT_FLOATS, n)
-    node: NDArray[np.int32]  # (JOINT_INTS, n)
-    axis: NDArray[np.float32]  # (AXIS_FLOATS, m)
-    stem: NDArray[np.int32]  # (AXIS_INTS, m)
+    joint: NDArray[np.float32]  # (n, JOINT_FLOATS)
+    node: NDArray[np.int32]  # (n, JOINT_INTS)
+    axis: NDArray[np.float32]  # (m, AXIS_FLOATS)
+    stem: NDArray[np.int32]  # (m, AXIS_INTS)
     key: NDArray[np.uint32]  # (m,)

@@ -15,15 +15,14 @@ _ZERO, _ONE = np.float32(0.0), np.float32(1.0)
 def add_pipes(rule, tree, n):
     """Fill WOOD: r^pipe of every joint is the sum of those of what it bears; a tip is one pipe."""
     joint, node, _, stem, _ = tree
-    wood = joint[WOOD]
+    wood = joint[:, WOOD]
     memory = np.float32(rule.shed_memory)
     for i in range(n):
         wood[i] = _ZERO
     for i in range(n - 1, 0, -1):
-        if wood[i] == _ZERO:
-            wood[i] = _ONE
-        a, p = node[AXIS, i], node[PARENT, i]
-        shed = stem[DEAD, a] and not stem[DEAD, node[AXIS, p]]
+        wood[i] = max(wood[i], _ONE)
+        a, p = node[i, AXIS], node[i, PARENT]
+        shed = stem[a, DEAD] and not stem[node[p, AXIS], DEAD]
         wood[p] += memory * wood[i] if shed else wood[i]
 
 
@@ -32,8 +31,8 @@ def bury(tree, axes):
     """Mark what grows on dead branches as dead."""
     node, stem = tree.node, tree.stem
     for a in range(1, axes):
-        if stem[DEAD, node[AXIS, stem[BASE, a]]]:
-            stem[DEAD, a] = 1
+        if stem[node[stem[a, BASE], AXIS], DEAD]:
+            stem[a, DEAD] = 1
 
 
 @njit(**ONCE)
@@ -43,16 +42,16 @@ def write(rule, tree, n, numbers, integers):
     m = 0
     inverse = np.float32(1.0 / rule.pipe)
     tip = np.float32(rule.tip_radius)
-    place = node[LATERALS]
+    place = node[:, LATERALS]
     for i in range(n):
-        if stem[DEAD, node[AXIS, i]]:
+        if stem[node[i, AXIS], DEAD]:
             continue
         if m >= numbers.shape[1]:
             return m, True
-        numbers[0, m], numbers[1, m], numbers[2, m] = joint[X, i], joint[Y, i], joint[Z, i]
-        numbers[3, m] = tip * joint[WOOD, i] ** inverse
-        integers[0, m] = place[node[PARENT, i]] if i > 0 else -1
-        integers[1, m] = stem[LEVEL, node[AXIS, i]]
+        numbers[0, m], numbers[1, m], numbers[2, m] = joint[i, X], joint[i, Y], joint[i, Z]
+        numbers[3, m] = tip * joint[i, WOOD] ** inverse
+        integers[0, m] = place[node[i, PARENT]] if i > 0 else -1
+        integers[1, m] = stem[node[i, AXIS], LEVEL]
         place[i] = m
         m += 1
     return m, False

@@ -1,4 +1,4 @@
-"""One year of GEGen: what the root gives goes from axis to axis, and every bud grows what it got."""
+"""One year of GEGen: what the root gives goes from axis to axis, and says what every bud shall grow."""
 
 from __future__ import annotations
 
@@ -9,7 +9,6 @@ from numba import njit
 
 from generators.gegen.buds import sprout
 from generators.gegen.sharing import share
-from generators.gegen.shoots import extend
 from generators.gegen.tree import (
     AGED,
     AXIS,
@@ -22,6 +21,7 @@ from generators.gegen.tree import (
     LATERALS,
     LEVEL,
     SIDE,
+    UNITS,
 )  # fmt: skip
 from treefit.plant.compiling import INNER, ONCE
 
@@ -37,39 +37,36 @@ def leader_at(rule, year):
 
 
 @njit(**ONCE)
-def grow_year(rule, tree, n, axes, year, bound, shade, scale, lists, world):
-    """Share what the root is given among the axes and grow their buds; return (joints, axes)."""
+def share_year(rule, tree, axes, year, bound, shares):
+    """Share what the root is given among the axes: what each shall grow this year, and new ones; return the axes."""
     joint, node, axis, stem, _ = tree
-    places, amounts, order = lists
+    places, amounts, order = shares
     old = axes
     trunk = np.float32(math.exp(rule.apical - rule.apical_loss * leader_at(rule, year) / rule.leader))
     branches = np.float32(math.exp(rule.apical_branches))
     short = bound * np.float32(rule.branch_growth)
     for a in range(old):
-        if stem[DEAD, a]:
+        if stem[a, DEAD]:
             continue
-        if a > 0 and stem[DEAD, node[AXIS, stem[BASE, a]]]:
-            stem[DEAD, a] = 1
+        if a > 0 and stem[node[stem[a, BASE], AXIS], DEAD]:
+            stem[a, DEAD] = 1
             continue
-        given = axis[GIVEN, a]
+        given = axis[a, GIVEN]
         if given < LEAST:
             continue
-        apical, most = (trunk, bound) if stem[LEVEL, a] == 0 else (branches, short)
+        apical, most = (trunk, bound) if stem[a, LEVEL] == 0 else (branches, short)
         count = share(tree, a, given, apical, np.float32(rule.priority), most, places, amounts, order)
         for item in range(count - 1):
             j = places[item]
-            if node[LATERALS, j] > 0:
-                each = amounts[item] / joint[SIDE, j]
-                for lateral in range(node[FIRST, j], node[FIRST, j] + node[LATERALS, j]):
-                    axis[GIVEN, lateral] = each * axis[GATHERED, lateral]
+            if node[j, LATERALS] > 0:
+                each = amounts[item] / joint[j, SIDE]
+                for lateral in range(node[j, FIRST], node[j, FIRST] + node[j, LATERALS]):
+                    axis[lateral, GIVEN] = each * axis[lateral, GATHERED]
             else:
-                n, axes = sprout(rule, tree, j, amounts[item], n, axes, short, year, shade, scale, world)
-        if not stem[AGED, a]:
-            amount = axis[KEPT, a] + min(amounts[count - 1], most)
-            units = int(amount)
-            axis[KEPT, a] = amount - np.float32(units)
-            n = extend(rule, tree, a, n, units, year, shade, scale, world)
-        axis[GIVEN, a] = _ZERO
-        if n >= joint.shape[1]:
-            break
-    return n, axes
+                axes = sprout(rule, tree, j, amounts[item], axes, short, year)
+        if not stem[a, AGED]:
+            amount = axis[a, KEPT] + min(amounts[count - 1], most)
+            stem[a, UNITS] = int(amount)
+            axis[a, KEPT] = amount - np.float32(stem[a, UNITS])
+        axis[a, GIVEN] = _ZERO
+    return axes

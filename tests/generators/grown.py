@@ -23,7 +23,7 @@ OPEN: dict[str, Value] = {"light_right": 0.0, "neighbour_left": 0.0, "neighbour_
 
 @dataclass(frozen=True, eq=False)
 class Grown:
-    """A plant and the state that its growth left behind, lengths in internodes."""
+    """A plant and the state that its growth left behind, turned: joint[Z] is all heights; lengths in internodes."""
 
     plant: Plant
     joint: NDArray[np.float32]  # (JOINT_FLOATS, n)
@@ -52,10 +52,10 @@ def grow(seed: int = 1, **values: Value) -> Grown:
         patch.setattr(generator, "_SCRATCH", room)
         plant = GENERATOR(complete, seed, BROAD)
     joint, node, axis, stem, _ = room.tree
-    n = int(np.count_nonzero(node[BORN])) + 1  # the root is of the year 0
-    axes = int(node[AXIS, :n].max()) + 1
-    light = _lights(joint[:, :n], room.light[1], np.float32(CELLS / float(complete["leader"])))
-    return Grown(plant, joint[:, :n], node[:, :n], axis[:, :axes], stem[:, :axes], light)
+    n = int(np.count_nonzero(node[:, BORN])) + 1  # the root is of the year 0
+    axes = int(node[:n, AXIS].max()) + 1
+    light = _lights(joint[:n], room.light[1], np.float32(CELLS / float(complete["leader"])))
+    return Grown(plant, joint[:n].T, node[:n].T, axis[:axes].T, stem[:axes].T, light)
 
 
 def random_values(count: int, first: int = 0, **values: Value) -> list[dict[str, Value]]:
@@ -66,7 +66,7 @@ def random_values(count: int, first: int = 0, **values: Value) -> list[dict[str,
 
 @njit
 def _lights(joint, shade, scale):
-    light = np.empty(joint.shape[1], np.float32)
+    light = np.empty(len(joint), np.float32)
     for i in range(len(light)):
-        light[i] = light_at(shade, joint[X, i], joint[Y, i], joint[Z, i], scale)
+        light[i] = light_at(shade, joint[i, X], joint[i, Y], joint[i, Z], scale)
     return light

@@ -116,7 +116,8 @@ def test_a_tree_in_a_gap_is_slender_and_bare_below() -> None:
         return float(points[:, 2].max() / np.ptp(np.quantile(points[:, 0], [0.05, 0.95])))
 
     free, in_gap = (
-        leaves(grown(GEGen(), trunk=0.1, neighbour_left=side, neighbour_right=side, gap=0.2)) for side in (0.0, 0.9)
+        leaves(grown(GEGen(), 200, trunk=0.1, neighbour_left=side, neighbour_right=side, gap=0.2))
+        for side in (0.0, 0.9)
     )
     assert np.median([slenderness(x) for x in in_gap]) > 1.4 * np.median([slenderness(x) for x in free])
     low = [np.mean([np.quantile(x[:, 2], 0.05) / x[:, 2].max() for x in each]) for each in (free, in_gap)]

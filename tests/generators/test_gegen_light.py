@@ -41,7 +41,7 @@ def _lights(shade, places):
 @njit
 def _enclose(joint, scale):
     box = np.array([WIDE, 0, WIDE, 0, 0])
-    enclose(joint, joint.shape[1], scale, box)
+    enclose(joint, len(joint), scale, box)
     return box
 
 
@@ -124,14 +124,14 @@ def test_nothing_is_outside_the_box_and_inside_all_that_stays_in_it() -> None:
 def test_the_box_holds_every_joint_and_never_leaves_the_grid() -> None:
     rng = np.random.default_rng(2)
     for size in (1, 5, 30):
-        joint = np.zeros((Z + 1, 50), np.float32)
-        joint[[X, Y]] = rng.normal(0, size, (2, 50))
-        joint[Z] = np.abs(rng.normal(0, size, 50))
+        joint = np.zeros((50, Z + 1), np.float32)
+        joint[:, [X, Y]] = rng.normal(0, size, (50, 2))
+        joint[:, Z] = np.abs(rng.normal(0, size, 50))
         x0, x1, y0, y1, top = _enclose(joint, np.float32(1.0))
         assert 1 <= x0 < x1 <= WIDE - 1
         assert 1 <= y0 < y1 <= WIDE - 1
         assert 1 <= top <= HIGH - 1
-        for (low, high), row in zip([(x0, x1), (y0, y1)], (joint[X], joint[Y]), strict=True):
+        for (low, high), row in zip([(x0, x1), (y0, y1)], (joint[:, X], joint[:, Y]), strict=True):
             within = np.clip(row + MIDDLE, 1, WIDE - 2)
             assert (within >= low).all()
             assert (within <= high).all()

@@ -34,31 +34,31 @@ def years(**values: Value) -> list[Year]:
     """Resource of the years of a tree."""
     found: list[Year] = []
     with interpreted() as patch:
-        share, run = year.share, growth.grow_year
+        share, run = year.share, growth.share_year
 
         def shared(tree: Tree, a: int, given: float, *rest: object) -> int:
             count = int(share(tree, a, given, *rest))
             places, amounts = rest[-3], rest[-2]
             assert isinstance(places, np.ndarray)
             assert isinstance(amounts, np.ndarray)
-            buds = tree.node[LATERALS, places[: count - 1]] == 0
+            buds = tree.node[places[: count - 1], LATERALS] == 0
             found[-1].buds += float(amounts[: count - 1][buds].sum())
             found[-1].tips += float(amounts[count - 1])
             found[-1].axes.append(a)
             return count
 
-        def ran(rule: object, tree: Tree, n: int, axes: int, *rest: object) -> tuple[int, int]:
-            found.append(Year(float(tree.axis[GIVEN, 0])))
-            after: tuple[int, int] = run(rule, tree, n, axes, *rest)
-            alive = tree.stem[DEAD, :axes] == 0
-            found[-1].left = float(tree.axis[GIVEN, :axes][alive].sum())
-            assert (tree.axis[GIVEN, :axes][alive] < LEAST).all()
-            assert (tree.axis[KEPT, : after[1]] < 1).all()
-            assert (tree.axis[KEPT, : after[1]] >= 0).all()
+        def ran(rule: object, tree: Tree, axes: int, *rest: object) -> int:
+            found.append(Year(float(tree.axis[0, GIVEN])))
+            after = int(run(rule, tree, axes, *rest))
+            alive = tree.stem[:axes, DEAD] == 0
+            found[-1].left = float(tree.axis[:axes, GIVEN][alive].sum())
+            assert (tree.axis[:axes, GIVEN][alive] < LEAST).all()
+            assert (tree.axis[:after, KEPT] < 1).all()
+            assert (tree.axis[:after, KEPT] >= 0).all()
             return after
 
         patch.setattr(year, "share", shared)
-        patch.setattr(growth, "grow_year", ran)
+        patch.setattr(growth, "share_year", ran)
         grow(**values)
     return found
 

@@ -29,13 +29,13 @@ def shared(sides: Light, tip: float, given: float = 10.0, apical: float = 0.1, p
     `sides` is the light to the side of each joint, `tip` that of the tip, `apical` log(lambda / (1 - lambda)).
     """
     n = len(sides)
-    tree = Tree(np.zeros((JOINT_FLOATS, n), np.float32), np.zeros((JOINT_INTS, n), np.int32),
-                np.zeros((AXIS_FLOATS, 1), np.float32), np.zeros((AXIS_INTS, 1), np.int32),
+    tree = Tree(np.zeros((n, JOINT_FLOATS), np.float32), np.zeros((n, JOINT_INTS), np.int32),
+                np.zeros((1, AXIS_FLOATS), np.float32), np.zeros((1, AXIS_INTS), np.int32),
                 np.zeros(1, np.uint32))  # fmt: skip
-    tree.joint[SIDE] = sides
-    tree.joint[MAIN] = tip + sides.sum() - np.cumsum(sides)
-    tree.node[NEXT] = [*range(1, n), -1]
-    tree.stem[HEAD, 0] = 0
+    tree.joint[:, SIDE] = sides
+    tree.joint[:, MAIN] = tip + sides.sum() - np.cumsum(sides)
+    tree.node[:, NEXT] = [*range(1, n), -1]
+    tree.stem[0, HEAD] = 0
     lists = np.zeros(n + 1, np.int32), np.zeros(n + 1, np.float32), np.zeros(n + 1, np.int32)
     told = (np.float32(x) for x in (given, math.exp(apical), priority, bound))
     count = _share(tree, *told, *lists)
