@@ -79,20 +79,26 @@ def propagate(source, shade, rows, box, slope_x, slope_y):
 
 @njit(**INNER)
 def cast(source, x, y, z, scale, amount):
-    """Add `amount` of shade to the voxels around a point."""
-    gx, gy, gz = x * scale + _MIDDLE - _HALF, y * scale + _MIDDLE - _HALF, z * scale - _HALF
-    gz = max(gz, _ZERO)
-    i, j, k = np.int32(gx), np.int32(gy), np.int32(gz)
-    if gx < _ONE or gy < _ONE or i >= WIDE - 2 or j >= WIDE - 2 or k >= HIGH - 2:
+    """Add `amount` of shade to the four voxels around a point in its layer."""
+    gx, gy, k = x * scale + _MIDDLE - _HALF, y * scale + _MIDDLE - _HALF, np.int32(z * scale)
+    i, j = np.int32(gx), np.int32(gy)
+    if gx < _ONE or gy < _ONE or i >= WIDE - 2 or j >= WIDE - 2 or k >= HIGH - 1:
         return
-    fx, fy, fz = gx - np.float32(i), gy - np.float32(j), gz - np.float32(k)
-    for c in range(2):
-        layer = amount * (fz if c else _ONE - fz)
-        low, high = layer * (_ONE - fy), layer * fy
-        source[k + c, j, i] += low * (_ONE - fx)
-        source[k + c, j, i + 1] += low * fx
-        source[k + c, j + 1, i] += high * (_ONE - fx)
-        source[k + c, j + 1, i + 1] += high * fx
+    fx, fy = gx - np.float32(i), gy - np.float32(j)
+    low, high = amount * (_ONE - fy), amount * fy
+    source[k, j, i] += low * (_ONE - fx)
+    source[k, j, i + 1] += low * fx
+    source[k, j + 1, i] += high * (_ONE - fx)
+    source[k, j + 1, i + 1] += high * fx
+
+
+@njit(**INNER)
+def dark_at(shade, x, y, z, scale):
+    """1 + shade of the voxel of a point; 1 outside the grid."""
+    i, j, k = np.int32(x * scale + _MIDDLE), np.int32(y * scale + _MIDDLE), np.int32(max(z * scale, _ZERO))
+    if i < 0 or j < 0 or i >= WIDE or j >= WIDE or k >= HIGH:
+        return _ONE
+    return _ONE + shade[k, j, i]
 
 
 @njit(**INNER)

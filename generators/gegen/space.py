@@ -7,7 +7,7 @@ import math
 import numpy as np
 from numba import njit
 
-from generators.gegen.field import light_at
+from generators.gegen.field import dark_at
 from treefit.plant.compiling import INNER
 from treefit.plant.streams import child_key, circle, two
 
@@ -23,15 +23,17 @@ def towards_light(shade, x, y, z, scale, key):
     """Way from a bud to the best-lit of sampled points: their mean by light, in lengths up to about 1.
 
     One best point of four random ones would jump at a small change, and pull where light is even; opposite points
-    weighted by their light do neither.
+    weighted by their light do neither. Light is that of their voxels, 1 / (1 + shade)^2.
     """
     sx = sy = sz = total = _ZERO
     for pair in range(PAIRS):
         ox, oy, oz = sphere(*two(child_key(key, SAMPLE + pair)))
-        ahead = light_at(shade, x + REACH * ox, y + REACH * oy, z + REACH * oz, scale)
-        behind = light_at(shade, x - REACH * ox, y - REACH * oy, z - REACH * oz, scale)
-        more = REACH * (ahead - behind)
-        total += ahead + behind
+        ahead = dark_at(shade, x + REACH * ox, y + REACH * oy, z + REACH * oz, scale)
+        behind = dark_at(shade, x - REACH * ox, y - REACH * oy, z - REACH * oz, scale)
+        ahead, behind, both = ahead * ahead, behind * behind, _ONE / (ahead * behind)
+        both *= both
+        more = REACH * (behind - ahead) * both
+        total += (ahead + behind) * both
         sx, sy, sz = sx + more * ox, sy + more * oy, sz + more * oz
     by = _TWO / (total + np.float32(1e-6))
     return by * sx, by * sy, by * sz

@@ -91,7 +91,7 @@ def test_nothing_grows_into_the_pixels_of_a_picture(picture: Path) -> None:
 
 
 def test_a_tree_in_the_way_of_a_roof_grows_around_it() -> None:
-    heights = [places(plant, height)[:, 2].max() for plant, height in grown(GEGen(environment={"boxes": [ROOF]}))]
+    heights = [places(plant, height)[:, 2].max() for plant, height in grown(GEGen(environment={"boxes": [ROOF]}), 100)]
     assert np.mean(heights) > 0.5
 
 
