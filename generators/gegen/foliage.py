@@ -15,7 +15,10 @@ from treefit.plant.compiling import ONCE
 from treefit.plant.streams import child_key, circle, two, uniform
 
 LEAF = 64
-_ZERO, _ONE, _HALF, _TINY = (np.float32(x) for x in (0.0, 1.0, 0.5, 1e-9))
+"""Purpose of the draw of a joint that rounds the number of its leaves; those after it are the leaves'."""
+AROUND = np.float32(0.38)
+"""Turns from one leaf of a joint to the next: the golden angle."""
+_ZERO, _ONE, _TINY = (np.float32(x) for x in (0.0, 1.0, 1e-9))
 _TURN = np.float32(1 / (2 * math.pi))
 
 
@@ -23,44 +26,45 @@ _TURN = np.float32(1 / (2 * math.pi))
 def put_leaves(rule, tree, n, shade, scale, world, leaves):
     """Fill `leaves` (11, k): position, axis, normal, size, in internodes; return (leaves, whether some were cut)."""
     joint, node, _, stem, key = tree
-    k = 0
-    ca, sa = circle(np.float32(rule.leaf_angle) * _TURN)
-    length, width = np.float32(rule.leaf_length), np.float32(rule.leaf_width)
-    number, power = np.float32(rule.leaf_number), np.float32(rule.leaf_light)
-    unit = np.float32(_ONE / rule.height)
-    if number <= 0:
-        return 0, False
+    k, number, power = 0, np.float32(rule.leaf_number), np.float32(rule.leaf_light)
+    cosine, sine = circle(np.float32(rule.leaf_angle) * _TURN)
     for i in range(1, n):
-        if stem[node[i, AXIS], DEAD] or stem[node[i, AXIS], LAST] - node[i, BORN] >= rule.leaf_years:
+        a = node[i, AXIS]
+        if number <= 0 or stem[a, DEAD] or stem[a, LAST] - node[i, BORN] >= rule.leaf_years:
             continue
-        x, y, z = joint[i, X], joint[i, Y], joint[i, Z]
-        light = light_at(shade, x, y, z, scale)
-        own = child_key(key[node[i, AXIS]], node[i, ORDER] + PLACES)
-        count = int(number * light**power + uniform(own, LEAF))
-        dx, dy, dz = joint[i, DX], joint[i, DY], joint[i, DZ]
-        ax, ay = -dy + np.float32(1e-3), dx
-        size = _ONE / math.sqrt(ax * ax + ay * ay + _TINY)
-        ax, ay = ax * size, ay * size
-        bx, by, bz = -dz * ay, dz * ax, dx * ay - dy * ax
-        for leaf in range(count):
+        own = child_key(key[a], node[i, ORDER] + PLACES)
+        light = light_at(shade, joint[i, X], joint[i, Y], joint[i, Z], scale)
+        for leaf in range(int(number * light**power + uniform(own, LEAF))):
             if k >= leaves.shape[1]:
                 return k, True
-            u, v = two(child_key(own, LEAF + 1 + leaf))
-            c, s = circle(np.float32(leaf) * np.float32(0.38) + u)
-            lx = ca * dx + sa * (c * ax + s * bx)
-            ly = ca * dy + sa * (c * ay + s * by)
-            lz = ca * dz + sa * (s * bz)
-            px, py, pz = x - v * dx, y - v * dy, z - v * dz
-            if lz * length + pz < 0:
-                lz = -lz
-            size = _ONE / math.sqrt(lx * lx + ly * ly + lz * lz + _TINY)
-            lx, ly, lz = lx * size, ly * size, lz * size
-            if world.solid and blocked(world, px, py, pz, lx * length, ly * length, lz * length, unit, LEAF_ROOM):
-                continue
-            flat = math.sqrt(lx * lx + ly * ly) + np.float32(1e-6)
-            leaves[0, k], leaves[1, k], leaves[2, k] = px, py, pz
-            leaves[3, k], leaves[4, k], leaves[5, k] = lx, ly, lz
-            leaves[6, k], leaves[7, k], leaves[8, k] = -lz * lx / flat, -lz * ly / flat, flat
-            leaves[9, k], leaves[10, k] = length, width
-            k += 1
+            k += _put_leaf(rule, joint[i], child_key(own, LEAF + 1 + leaf), leaf, cosine, sine, world, leaves, k)
     return k, False
+
+
+@njit(**ONCE)
+def _put_leaf(rule, at, key, leaf, cosine, sine, world, leaves, k):
+    """Put a leaf of a joint on the internode below it, over the ground; return 1, or 0 where an obstacle is."""
+    u, v = two(key)
+    c, s = circle(np.float32(leaf) * AROUND + u)
+    dx, dy, dz = at[DX], at[DY], at[DZ]
+    ax, ay = -dy + np.float32(1e-3), dx  # level, at right angles to the shoot
+    inverse = _ONE / math.sqrt(ax * ax + ay * ay + _TINY)
+    ax, ay = ax * inverse, ay * inverse
+    bx, by, bz = -dz * ay, dz * ax, dx * ay - dy * ax
+    lx, ly = cosine * dx + sine * (c * ax + s * bx), cosine * dy + sine * (c * ay + s * by)
+    lz = cosine * dz + sine * s * bz
+    x, y, z = at[X] - v * dx, at[Y] - v * dy, at[Z] - v * dz
+    length = np.float32(rule.leaf_length)
+    if lz * length + z < 0:
+        lz = -lz
+    inverse = _ONE / math.sqrt(lx * lx + ly * ly + lz * lz + _TINY)
+    lx, ly, lz = lx * inverse, ly * inverse, lz * inverse
+    unit = np.float32(_ONE / rule.height)
+    if world.solid and blocked(world, x, y, z, lx * length, ly * length, lz * length, unit, LEAF_ROOM):
+        return 0
+    flat = math.sqrt(lx * lx + ly * ly) + np.float32(1e-6)
+    leaves[0, k], leaves[1, k], leaves[2, k] = x, y, z
+    leaves[3, k], leaves[4, k], leaves[5, k] = lx, ly, lz
+    leaves[6, k], leaves[7, k], leaves[8, k] = -lz * lx / flat, -lz * ly / flat, flat
+    leaves[9, k], leaves[10, k] = length, np.float32(rule.leaf_width)
+    return 1
