@@ -6,9 +6,12 @@ from typing import Any
 
 FAST: dict[str, Any] = {
     "cache": True, "nogil": True, "error_model": "numpy", "fastmath": {"contract", "nsz", "arcp"},
-    "no_cfunc_wrapper": True,
+    "no_cfunc_wrapper": True, "_nrt": False,
 }  # fmt: skip
-"""Kernels that Python calls; numbers that are not finite stay what they are, so that they draw nothing."""
+"""Kernels that Python calls; numbers that are not finite stay what they are, so that they draw nothing.
+
+They make no arrays, so that references need no counting: a fifth of the time of a growing tree.
+"""
 
 INNER: dict[str, Any] = {**FAST, "cache": False, "no_cpython_wrapper": True}
 """The same for kernels that only kernels call: half the time to compile."""
