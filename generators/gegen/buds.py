@@ -59,7 +59,9 @@ def sprout(rule, tree, j, amount, axes, bound, year):
         units = int(max(grown, _ONE)) if together else int(grown)
         if units == 0 or axes >= len(stem):
             continue
-        axis[axes, OUT_X], axis[axes, OUT_Y], axis[axes, OUT_Z] = _lateral(rule, tree, j, level, bud, buds, own)
+        axis[axes, OUT_X], axis[axes, OUT_Y], axis[axes, OUT_Z] = _lateral(
+            rule, tree, j, level, bud, buds, together, own
+        )
         axis[axes, KEPT], axis[axes, GIVEN] = max(grown - np.float32(units), _ZERO), _ZERO
         stem[axes, BASE], stem[axes, TIP], stem[axes, HEAD], stem[axes, LEVEL] = j, j, -1, level + 1
         stem[axes, START], stem[axes, UNITS], stem[axes, AGED], stem[axes, DEAD] = year, units, 0, 0
@@ -71,7 +73,7 @@ def sprout(rule, tree, j, amount, axes, bound, year):
 
 
 @njit(**ONCE)
-def _lateral(rule, tree, j, level, bud, buds, key):
+def _lateral(rule, tree, j, level, bud, buds, together, key):
     """Direction in which a lateral bud of a joint sets out."""
     joint, node = tree.joint, tree.node
     dx, dy, dz = joint[j, DX], joint[j, DY], joint[j, DZ]
@@ -79,11 +81,10 @@ def _lateral(rule, tree, j, level, bud, buds, key):
     order = np.float32(node[j, ORDER])
     turn = order * np.float32(rule.phyllotaxis) + np.float32(bud) / np.float32(buds)
     turn += JITTER * (u - _HALF)
-    forks = level == 0 and node[j, ORDER] == int(rule.trunk) and rule.forks > 0
-    if forks:
+    if together:
         angle = rule.fork_angle
     elif level == 0:
-        angle = rule.angle + (rule.angle_top - rule.angle) * min(node[j, ORDER] / rule.height, 1.0)
+        angle = rule.angle + (rule.angle_top - rule.angle) * min(node[j, ORDER] / rule.leader, 1.0)
     else:
         angle = rule.angle_branches
     angle += rule.angle_variation * (2.0 * v - 1.0)

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -77,7 +78,7 @@ class Environment:
         return boxes, pixels, extent, shade_by_voxel(tuple(self.things.values()))
 
 
-def environment_of(given: Environment | Mapping[str, object] | None) -> Environment:
+def environment_of(given: Environment | Mapping[str, Any] | None) -> Environment:
     """Environment that was given, or that settings by name describe."""
     if given is None or isinstance(given, Environment):
         return given or Environment()
@@ -86,4 +87,4 @@ def environment_of(given: Environment | Mapping[str, object] | None) -> Environm
     for name in given:
         if name not in _SETTINGS:
             raise ValueError(f"environment.{name}: no such setting; there are {', '.join(_SETTINGS)}")
-    return Environment(**given)  # type: ignore[arg-type]
+    return Environment(**given)

@@ -59,7 +59,7 @@ def _put_leaf(rule, at, key, leaf, cosine, sine, world, leaves, k):
         lz = -lz
     inverse = _ONE / math.sqrt(lx * lx + ly * ly + lz * lz + _TINY)
     lx, ly, lz = lx * inverse, ly * inverse, lz * inverse
-    unit = np.float32(_ONE / rule.height)
+    unit = np.float32(_ONE / rule.leader)
     if world.solid and blocked(world, x, y, z, lx * length, ly * length, lz * length, unit, LEAF_ROOM):
         return 0
     flat = math.sqrt(lx * lx + ly * ly) + np.float32(1e-6)

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -20,6 +20,9 @@ from treefit.plant.streams import seed_key
 
 HABITS = Path(__file__).parent / "habits"
 
+SPARE = 500
+"""Joints that a tree may have over 1.3 times its `internodes`: those of its leader, and what rounding adds."""
+
 _SCRATCH = Scratch()
 _SPACES = ("sampled", "markers")
 
@@ -29,7 +32,7 @@ class GEGen:
     """A tree that grows year by year under light."""
 
     fixed: Mapping[str, Value] = field(default_factory=lambda: dict(FIXED))
-    environment: Environment | Mapping[str, object] | None = None
+    environment: Environment | Mapping[str, Any] | None = None
     space_by: str = "sampled"  # sampled | markers: how a bud finds the best-lit point
 
     name: ClassVar[str] = "gegen"
@@ -62,22 +65,20 @@ class GEGen:
     def __call__(self, values: Values, seed: int, budget: Budget) -> Plant:
         """Plant grown from `values` by name."""
         rule = rule_of(values, self.around.slope, self.space_by == "markers")
-        capacity = int(1.3 * rule.internodes) + 500
+        capacity = int(1.3 * rule.internodes) + SPARE
         numbers, integers = np.empty((4, budget.vertices), np.float32), np.empty((2, budget.vertices), np.int32)
         leaves = np.empty((11, budget.leaves), np.float32)
         told = np.array(rule, np.float64), seed_key(seed), capacity
         n, k, cut = grow(*told, *_SCRATCH.room(capacity), self.around.scene, numbers, integers, leaves)
-        numbers, leaves = numbers.T[:n], leaves.T[:k]
-        size = np.float32(values["internode"])
+        numbers, leaves, size = numbers[:, :n], leaves[:, :k], np.float32(values["internode"])
         numbers *= size
-        leaves[:, :3] *= size
-        leaves[:, 9:] *= size
-        return Plant(numbers[:, :3], numbers[:, 3], integers[0, :n], integers[1, :n], leaves[:, :3], leaves[:, 3:6],
-                     leaves[:, 6:9], leaves[:, 9:], cut)  # fmt: skip
+        leaves[:3] *= size
+        leaves[9:] *= size
+        return Plant.of_rows(numbers, integers[:, :n], leaves, cut)
 
 
 def gegen(
     fixed: Mapping[str, Value] | None = None, environment: Environment | None = None, space: str = "sampled"
 ) -> GEGen:
     """GEGen with settings by the names of the configuration: `space` of the class is its parameters."""
-    return GEGen(dict(FIXED if fixed is None else fixed), environment, space)
+    return GEGen(FIXED if fixed is None else fixed, environment, space)

@@ -37,7 +37,7 @@ from generators.gegen.tree import (
     UNITS,
     Tree,
 )  # fmt: skip
-from generators.gegen.wood import add_pipes, bury, write
+from generators.gegen.wood import add_pipes, write
 from generators.gegen.year import leader_at, share_year
 from treefit.plant.compiling import FAST, INNER, ONCE
 from treefit.plant.streams import child_key
@@ -70,7 +70,7 @@ def grow(told, key, capacity, state, light, shares, scene, numbers, integers, le
     shade = total if surrounded else own
     box[0] = box[2] = WIDE
     box[1] = box[3] = box[4] = 0
-    n, axes, scale, year, growing = _begin(rule, tree, key), 1, np.float32(CELLS / rule.height), 1, True
+    n, axes, scale, year, growing = _begin(rule, tree, key), 1, np.float32(CELLS / rule.leader), 1, True
     while growing:
         cast_shade(rule, tree, n, axes, scale, source, own, rows, box)
         if surrounded:
@@ -86,7 +86,6 @@ def grow(told, key, capacity, state, light, shares, scene, numbers, integers, le
                 tree.stem[0, UNITS] = max(tree.stem[0, UNITS], 1)
             n = grow_shoots(rule, tree, n, axes, year, shade, scale, world)
         year += 1
-    bury(tree, axes)
     add_pipes(rule, tree, n)
     k, cut = put_leaves(rule, tree, n, shade, scale, world, leaves)
     vertices, more = write(rule, tree, n, numbers, integers)

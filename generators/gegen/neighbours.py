@@ -29,7 +29,7 @@ def shade_of_scenery(rule, scenery, source, own, still, total, rows, box):
     box[4] = HIGH - 1
     if scenery.shape[0] > 0:
         add_still(source, source, scenery, box)
-    top = _add_neighbours(rule, source)
+    top = _add_neighbours(rule, source, rows[0])
     if scenery.shape[0] == 0:
         box[4] = top
     still[box[4] :] = _ZERO
@@ -41,7 +41,7 @@ def shade_of_scenery(rule, scenery, source, own, still, total, rows, box):
 
 
 @njit(**ONCE)
-def _add_neighbours(rule, source):
+def _add_neighbours(rule, source, beyond):
     """Add the foliage that stands beyond the gap; return the layer above it.
 
     In front and behind it is as high as the lower side, so that a tree between two is in a gap of the forest.
@@ -50,16 +50,18 @@ def _add_neighbours(rule, source):
     left, right = np.float32(rule.neighbour_left) * cells, np.float32(rule.neighbour_right) * cells
     depth, gap = min(left, right), np.float32(rule.gap) * cells
     top = min(int(max(left, right)) + 2, HIGH - 1)
+    for i in range(WIDE):
+        beyond[i] = _beyond(i, gap)
     for z in range(top):
         floor = np.float32(z)
         to_left, to_right = DENSITY * _covered(left - floor), DENSITY * _covered(right - floor)
         to_depth = DENSITY * _covered(depth - floor)
         for y in range(WIDE):
-            far = to_depth * _beyond(y, gap)
-            row = source[z, y]
-            for x in range(WIDE):
-                beside = (to_left if x < WIDE // 2 else to_right) * _beyond(x, gap)
-                row[x] += max(far, beside)
+            far, row = to_depth * beyond[y], source[z, y]
+            for x in range(WIDE // 2):
+                row[x] += max(far, to_left * beyond[x])
+            for x in range(WIDE // 2, WIDE):
+                row[x] += max(far, to_right * beyond[x])
     return top
 
 

@@ -13,12 +13,11 @@ class Rule(NamedTuple):
     """Numbers of one tree."""
 
     age: float  # years that it grows
-    leader: float  # length of the leader when grown, Xm of the growth equation
+    leader: float  # its length when grown, Xm of the growth equation; the height of the tree, unit of the environment
     start: float  # its length in the first year, X0
     rate: float  # of the growth equation, r
     internodes: float  # grown by the whole tree in its life
     vigour: float  # resource that a bud in full light gathers, internodes a year
-    height: float  # unit of the environment: trunk template and leader
     apical: float  # log of lambda / (1 - lambda) of the trunk
     apical_loss: float  # what that loses until the tree is grown
     apical_branches: float  # the same for branches
@@ -71,7 +70,7 @@ def rule_of(v: Mapping[str, Any], slope: tuple[float, float], markers: bool) -> 
     leader = float(v["leader"])
     return Rule(
         age=v["age"], leader=leader, start=v["start"], rate=v["growth_rate"], internodes=v["internodes"],
-        vigour=v["vigour"], height=leader, apical=v["apical_control"], apical_loss=v["apical_loss"],
+        vigour=v["vigour"], apical=v["apical_control"], apical_loss=v["apical_loss"],
         apical_branches=v["apical_branches"], branch_growth=v["branch_growth"], priority=v["priority"],
         levels=v["levels"], whorl=v["whorl"], bud_share=v["bud_share"], acrotony=v["acrotony"], bud_life=v["bud_life"],
         variation=v["variation"], angle=rad(v["angle"]), angle_top=rad(v["angle_top"]),

@@ -98,7 +98,7 @@ def _way(rule, tree, a, j, order, own, shade, scale, world):
     joint, node, axis, stem, key = tree
     level, first = stem[a, LEVEL], j == stem[a, BASE]
     x, y, z = joint[j, X], joint[j, Y], joint[j, Z]
-    unit, firm = np.float32(_ONE / rule.height), _ONE
+    unit, firm = np.float32(_ONE / rule.leader), _ONE
     if level == 0 and order <= rule.trunk:  # the template
         turn = np.float32(rule.lean + rule.bend * order / max(rule.trunk, 1.0)) * _TURN
         dz, dx = circle(turn)
@@ -107,7 +107,7 @@ def _way(rule, tree, a, j, order, own, shade, scale, world):
         dx, dy, dz = joint[j, DX], joint[j, DY], joint[j, DZ]
         pull = np.float32(rule.tropism_trunk)
         if level > 0:
-            pull = np.float32(rule.tropism + rule.tropism_change * (node[j, PATH] / rule.height))
+            pull = np.float32(rule.tropism + rule.tropism_change * (node[j, PATH] / rule.leader))
             if first:
                 firm, dx, dy, dz = FIRMNESS, axis[a, OUT_X], axis[a, OUT_Y], axis[a, OUT_Z]
         if rule.markers > 0:

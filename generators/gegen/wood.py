@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numba import njit
 
-from generators.gegen.tree import AXIS, BASE, DEAD, LATERALS, LEVEL, PARENT, WOOD, X, Y, Z
+from generators.gegen.tree import AXIS, DEAD, LATERALS, LEVEL, PARENT, WOOD, X, Y, Z
 from treefit.plant.compiling import ONCE
 
 _ZERO, _ONE = np.float32(0.0), np.float32(1.0)
@@ -24,15 +24,6 @@ def add_pipes(rule, tree, n):
         a, p = node[i, AXIS], node[i, PARENT]
         shed = stem[a, DEAD] and not stem[node[p, AXIS], DEAD]
         wood[p] += memory * wood[i] if shed else wood[i]
-
-
-@njit(**ONCE)
-def bury(tree, axes):
-    """Mark what grows on dead branches as dead."""
-    node, stem = tree.node, tree.stem
-    for a in range(1, axes):
-        if stem[node[stem[a, BASE], AXIS], DEAD]:
-            stem[a, DEAD] = 1
 
 
 @njit(**ONCE)

@@ -41,11 +41,10 @@ def share_year(rule, tree, axes, year, bound, shares):
     """Share what the root is given among the axes: what each shall grow this year, and new ones; return the axes."""
     joint, node, axis, stem, _ = tree
     places, amounts, order = shares
-    old = axes
     trunk = np.float32(math.exp(rule.apical - rule.apical_loss * leader_at(rule, year) / rule.leader))
     branches = np.float32(math.exp(rule.apical_branches))
     short = bound * np.float32(rule.branch_growth)
-    for a in range(old):
+    for a in range(axes):
         if stem[a, DEAD]:
             continue
         if a > 0 and stem[node[stem[a, BASE], AXIS], DEAD]:

@@ -66,9 +66,7 @@ class SimpleGen:
         trunk = [float(values[name]) for name in ("branch_len_0", "branch_r_0", "lean")]
         scratch = _SCRATCH.room(min(stems, vertices))
         n, k, cut = grow(told, _crown(values), len(rules), *trunk, seed_key(seed), scratch, numbers, integers, leaves)
-        numbers, leaves = numbers.T[:n], leaves.T[:k]
-        return Plant(numbers[:, :3], numbers[:, 3], integers[0, :n], integers[1, :n],
-                     leaves[:, :3], leaves[:, 3:6], leaves[:, 6:9], leaves[:, 9:], cut=cut)  # fmt: skip
+        return Plant.of_rows(numbers[:, :n], integers[:, :n], leaves[:, :k], cut)
 
 
 def _numbers_of(rules: list[LevelRule]) -> list[float]:

@@ -75,10 +75,8 @@ class WeberPennGen:
         leaves = np.empty((11, budget.leaves), np.float32)
         scratch, picks = _SCRATCH.room(budget.vertices)  # a clone has one of its own at least
         n, k, cut = grow(np.array(told, np.float64), key, scratch, picks, numbers, integers, leaves)
-        numbers, leaves = numbers.T[:n], leaves.T[:k]
         look = Look(int(values["lobes"]), float(values["lobe_depth"]), str(values["leaf_shape"]))
-        return Plant(numbers[:, :3], numbers[:, 3], integers[0, :n], integers[1, :n], leaves[:, :3], leaves[:, 3:6],
-                     leaves[:, 6:9], leaves[:, 9:], cut, look)  # fmt: skip
+        return Plant.of_rows(numbers[:, :n], integers[:, :n], leaves[:, :k], cut, look)
 
 
 def _tree_rule(v: Mapping[str, Any], u1: float, u2: float, u3: float) -> TreeRule:

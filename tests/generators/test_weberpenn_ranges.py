@@ -2,38 +2,21 @@
 
 from __future__ import annotations
 
-import numpy as np
 import pytest
 
 from generators.weberpenn import WeberPennGen
 from tests.conftest import blob
+from tests.generators.plausible import plausible_share
 from tests.generators.test_contract import same
 from treefit.fit import aim
 from treefit.mask import Mask
-from treefit.objective import Objective
-from treefit.plant import Budget, Plant, Value, check_plant
+from treefit.plant import Budget, Value, check_plant
 from treefit.plant.characteristics import Characteristics
-from treefit.plant.extent import extent_of
-from treefit.similarity import Mix, PaperSimilarity
+from treefit.similarity import PaperSimilarity
 from treefit.view import OrthographicView
 
 GENERATOR = WeberPennGen()
 PUBLISHED = ("quaking_aspen", "black_tupelo", "weeping_willow", "black_oak")
-WIDTHS = 0.1, 3.0
-"""By the height: a crown is neither a pole nor wider than that."""
-
-
-@pytest.fixture
-def objectives(pictures: list[Mask]) -> list[Objective]:
-    wishes = Characteristics(vertices=3000)
-    return [aim(mask, GENERATOR, Mix(), wishes, OrthographicView(), 0) for mask in pictures]
-
-
-def plausible(plant: Plant) -> bool:
-    if plant.cut or plant.n_leaves == 0:
-        return False
-    extent = extent_of(plant)
-    return WIDTHS[0] <= extent.width / extent.height <= WIDTHS[1]
 
 
 def test_there_are_about_fifty_free_parameters() -> None:
@@ -41,15 +24,8 @@ def test_there_are_about_fifty_free_parameters() -> None:
     assert GENERATOR.size_parameter not in GENERATOR.space.names
 
 
-def test_most_random_genomes_are_plausible_trees_with_a_score_on_every_example_picture(
-    objectives: list[Objective],
-) -> None:
-    genomes = np.random.default_rng(0).random((60, len(GENERATOR.space)))
-    good = 0
-    for genome in genomes:
-        plant = GENERATOR(GENERATOR.space.decode(genome), 0, objectives[0].budget)
-        good += plausible(plant) and all(objective(genome).total > 0 for objective in objectives)
-    assert good / len(genomes) >= 0.6
+def test_most_random_genomes_are_plausible_trees_with_a_score_on_every_example_picture(pictures: list[Mask]) -> None:
+    assert plausible_share(GENERATOR, pictures, 60) >= 0.6
 
 
 @pytest.mark.parametrize("values", [{"scale": 26.0}, {"scale_v": 5.0}], ids=str)

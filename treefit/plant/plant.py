@@ -39,6 +39,17 @@ class Plant:
     cut: bool = False  # True when the budget ended the growth
     look: Look | None = None  # what no mask sees; None is a round trunk and leaves without a wish
 
+    @classmethod
+    def of_rows(cls, numbers: Floats, integers: Ints, leaves: Floats, cut: bool, look: Look | None = None) -> Plant:
+        """Plant whose fields are views of rows as kernels fill them, nothing copied.
+
+        `numbers` (4, v) are x, y, z, radius, `integers` (2, v) parent and level, `leaves` (11, k) position, axis,
+        normal, length and width.
+        """
+        parent, level = integers
+        position, axis, normal, size = leaves[:3].T, leaves[3:6].T, leaves[6:9].T, leaves[9:].T
+        return cls(numbers[:3].T, numbers[3], parent, level, position, axis, normal, size, cut, look)
+
     @property
     def n_vertices(self) -> int:
         """Count of vertices of the branch graph."""
