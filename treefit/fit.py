@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import math
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
@@ -16,14 +16,14 @@ from threadpoolctl import threadpool_limits
 from treefit.candidates import Candidate, choose, judge
 from treefit.checkpoint import CheckpointError, read_checkpoint, write_checkpoint
 from treefit.evaluation import Evaluator
+from treefit.family.hints import hints_of
 from treefit.image import AutoMask, Extractor, read_picture
 from treefit.mask import Mask, check_mask
 from treefit.objective import Objective, View
-from treefit.plant import Budget, Generator
+from treefit.plant import Budget, Generator, Values
 from treefit.plant.characteristics import Characteristics
 from treefit.progress import Failure, Generation, Progress
-from treefit.search import CMAES, Optimizer, Strategy
-from treefit.search.optimizer import Genomes
+from treefit.search import CMAES, Hints, Optimizer, Strategy
 from treefit.similarity import Mix, Similarity
 from treefit.view import BitMask, OrthographicView, frame_for, sample
 
@@ -83,12 +83,13 @@ def fit(
     other_seeds: int = 5,
     stop: Stop | None = None,
     checkpoint: Path | None = None,
+    start: Sequence[Values] = (),
     on_generation: Callable[[Generation, list[Failure]], None] | None = None,
 ) -> Result:
     """Find parameters of `generator` whose plants look like `picture`, a mask (h, w) or the path of an image file.
 
-    Whatever is left out takes the defaults of the configuration. `budget` is, when left out, 4 times the wanted
-    vertices. With `checkpoint` the search goes on from that file if it exists, and keeps it up to date; the result is
+    `start` are values of plants to begin from. Whatever is left out takes the defaults of the configuration; `budget`
+    is, when left out, 4 times the wanted vertices. With `checkpoint` the search goes on from that file if it exists, and keeps it up to date; the result is
     the same as that of a search that was never interrupted. Raises ValueError for a picture without a tree,
     CheckpointError for a checkpoint of another search, SearchError when no candidate at all could be scored.
     """
@@ -99,11 +100,11 @@ def fit(
     objective = aim(mask, generator, similarity or Mix(), characteristics or Characteristics(),
                     view or OrthographicView(), seed, budget)  # fmt: skip
     strategy = optimizer or CMAES()
-    known = _known(objective)
-    search = strategy.begin(len(objective.space), seed, known)
+    hints = hints_of(objective, mask, start)
+    search = strategy.begin(len(objective.space), seed, hints)
     with threadpool_limits(1, "blas"):  # its threads would fight with the evaluator's, and sum in another order
         progress = _search(objective, search, evaluator or Evaluator(), stop or Stop(), checkpoint, on_generation,
-                           _fingerprint(objective, mask, strategy, known))  # fmt: skip
+                           _fingerprint(objective, mask, strategy, hints))  # fmt: skip
     genomes, _ = search.best(16 * candidates)
     chosen = choose(objective, list(genomes), candidates, min_distance)
     found = [judge(objective, genome, mask, other_seeds) for genome in chosen]
@@ -124,17 +125,6 @@ def aim(
         wanted = characteristics.vertices
         budget = Budget() if wanted is None else Budget(max(4 * wanted, 100), max(8 * wanted, 200))
     return Objective(generator, space, view, frame, similarity, target, characteristics, seed, budget)
-
-
-def _known(objective: Objective) -> Genomes:
-    """Genomes (m, n) of the generator's presets; ValueError for one with a parameter that the generator lacks."""
-    space, known = objective.space, np.empty((0, len(objective.space)))
-    for name, preset in objective.generator.presets.items():
-        try:
-            known = np.vstack([known, space.encode(preset.values)])
-        except ValueError as error:
-            raise ValueError(f"preset {name!r} of generator {objective.generator.name!r}: {error}") from None
-    return known
 
 
 def _search(
@@ -183,11 +173,12 @@ def _enough(progress: Progress, stop: Stop) -> bool:
     )
 
 
-def _fingerprint(objective: Objective, mask: Mask, strategy: Strategy, known: Genomes) -> str:
+def _fingerprint(objective: Objective, mask: Mask, strategy: Strategy, hints: Hints) -> str:
     """Hash of everything that the course of the search depends on."""
     settings = (
         objective.generator.name, objective.generator.version, objective.space, objective.view, objective.frame,
         objective.similarity, objective.characteristics, objective.seed, objective.budget, strategy, mask.shape,
-        known.shape,
+        [array.shape for array in hints.arrays],
     )  # fmt: skip
-    return hashlib.sha256(repr(settings).encode() + mask.tobytes() + known.tobytes()).hexdigest()
+    known = b"".join(array.tobytes() for array in hints.arrays)
+    return hashlib.sha256(repr(settings).encode() + mask.tobytes() + known).hexdigest()

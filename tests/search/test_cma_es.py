@@ -105,7 +105,7 @@ def test_the_population_follows_from_the_budget_and_the_random_start_comes_first
 def test_a_first_population_led_by_known_genomes_is_followed_by_smaller_steps(
     start: Start, count: int, step: float
 ) -> None:
-    search = replace(SMALL, start=start).begin(8, 0, np.full((count, 8), 0.5))
+    search = replace(SMALL, start=start).begin(8, 0, hints(np.full((count, 8), 0.5)))
     while search.gaussian is None:
         search.tell(1 - ((search.ask() - 0.3) ** 2).mean(axis=1))
     np.testing.assert_array_equal(search.gaussian.mean, search.best(1)[0][0])

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
-from treefit.search import CMAES, Optimizer, RandomSearch, Strategy, TreeGA
+from treefit.search import CMAES, Hints, Optimizer, RandomSearch, Strategy, TreeGA
 
 STRATEGIES: dict[str, Strategy] = {
     "tree_ga": TreeGA(evaluations=1500, population=20, start_population=30, generations=10),
@@ -28,6 +30,10 @@ def strategy(request: pytest.FixtureRequest) -> Strategy:
     return STRATEGIES[request.param]
 
 
+def hints(known: np.ndarray | None) -> Hints | None:
+    return None if known is None else replace(Hints.none(known.shape[1]), known=known)
+
+
 def hill(genomes: np.ndarray) -> np.ndarray:
     """Score with one peak at 0.3 in every gene."""
     return np.exp(-((genomes - 0.3) ** 2).sum(axis=1))
@@ -43,7 +49,7 @@ def run(search: Optimizer, steps: int = 10**6) -> list[np.ndarray]:
 
 
 def test_exactly_the_budget_is_asked(strategy: Strategy, known: np.ndarray | None) -> None:
-    assert sum(len(genomes) for genomes in run(strategy.begin(8, 1, known))) == strategy.evaluations
+    assert sum(len(genomes) for genomes in run(strategy.begin(8, 1, hints(known)))) == strategy.evaluations
 
 
 @pytest.mark.parametrize("evaluations", [1, 7, 33, 111, 999])
@@ -54,13 +60,13 @@ def test_odd_budgets_are_kept_too(evaluations: int) -> None:
 
 
 def test_genomes_are_in_the_unit_cube(strategy: Strategy, known: np.ndarray | None) -> None:
-    for genomes in run(strategy.begin(8, 1, known)):
+    for genomes in run(strategy.begin(8, 1, hints(known))):
         assert genomes.shape[1] == 8
         assert 0 <= genomes.min() <= genomes.max() <= 1
 
 
 def test_the_same_seed_asks_the_same_and_another_does_not(strategy: Strategy, known: np.ndarray | None) -> None:
-    one, two, other = (np.concatenate(run(strategy.begin(8, seed, known))) for seed in (1, 1, 2))
+    one, two, other = (np.concatenate(run(strategy.begin(8, seed, hints(known)))) for seed in (1, 1, 2))
     assert one.tobytes() == two.tobytes() != other.tobytes()
 
 
@@ -76,7 +82,7 @@ def test_the_best_is_the_best_that_was_told(strategy: Strategy) -> None:
 def test_a_restored_search_goes_on_as_if_never_stopped(
     strategy: Strategy, known: np.ndarray | None, steps: int
 ) -> None:
-    whole, part, again = (strategy.begin(8, 1, known) for _ in range(3))
+    whole, part, again = (strategy.begin(8, 1, hints(known)) for _ in range(3))
     asked = run(whole)
     run(part, steps)
     again.restore(part.state())
@@ -87,7 +93,7 @@ def test_a_restored_search_goes_on_as_if_never_stopped(
 
 def test_scores_at_or_under_the_floors_make_no_difference(strategy: Strategy, known: np.ndarray | None) -> None:
     """Whatever is told in their place, and also when the search is stopped and restored now and then."""
-    exact, rough = strategy.begin(8, 1, known), strategy.begin(8, 1, known)
+    exact, rough = strategy.begin(8, 1, hints(known)), strategy.begin(8, 1, hints(known))
     rng, lowered = np.random.default_rng(2), 0
     while not exact.done:
         genomes, again = exact.ask(), rough.ask()
@@ -100,7 +106,7 @@ def test_scores_at_or_under_the_floors_make_no_difference(strategy: Strategy, kn
         kept, other = exact.state(), rough.state()
         assert all(kept[name].tobytes() == other[name].tobytes() for name in kept)
         if rng.random() < 0.3:
-            rough = strategy.begin(8, 1, known)
+            rough = strategy.begin(8, 1, hints(known))
             rough.restore(other)
     assert lowered > 50
 

@@ -5,9 +5,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tests.search.test_contract import KNOWN, run
-from treefit.search import CMAES, RandomSearch, TreeGA
-from treefit.search.start import STEPS, Start, children, first_genomes, known_genomes
+from tests.search.test_contract import KNOWN, hints, run
+from treefit.search import CMAES, Hints, RandomSearch, TreeGA
+from treefit.search.start import STEPS, Start, children, first_genomes
 
 STRATEGIES = {
     "tree_ga": TreeGA(evaluations=1500, population=20, start_population=30, generations=10),
@@ -19,7 +19,7 @@ ASKS_OF_THE_START = {"tree_ga": 1, "cma_es": 5, "random": 1}
 
 def begin(name: str, start: Start, known: np.ndarray | None = KNOWN, seed: int = 1) -> np.ndarray:
     """Everything that a search asks in its start."""
-    search = replace(STRATEGIES[name], start=start).begin(8, seed, known)
+    search = replace(STRATEGIES[name], start=start).begin(8, seed, hints(known))
     return np.concatenate(run(search, ASKS_OF_THE_START[name]))
 
 
@@ -61,7 +61,7 @@ def test_the_same_seed_begins_with_the_same_genomes_and_another_does_not(name: s
 
 
 def test_the_leaves_of_the_tree_share_the_known_genomes_out() -> None:
-    search = STRATEGIES["tree_ga"].begin(8, 1, KNOWN)
+    search = STRATEGIES["tree_ga"].begin(8, 1, hints(KNOWN))
     nodes = search.ask().reshape(-1, 30, 8)
     counts = [sum(int((node == genome).all(axis=1).any()) for genome in KNOWN) for node in nodes]
     assert len(nodes) > 1
@@ -69,8 +69,8 @@ def test_the_leaves_of_the_tree_share_the_known_genomes_out() -> None:
 
 
 def test_random_search_is_uniform_after_its_first_batch() -> None:
-    asked = run(replace(STRATEGIES["random"], start="presets").begin(8, 1, KNOWN))
-    uniform = run(replace(STRATEGIES["random"], start="random").begin(8, 1, KNOWN))
+    asked = run(replace(STRATEGIES["random"], start="presets").begin(8, 1, hints(KNOWN)))
+    uniform = run(replace(STRATEGIES["random"], start="random").begin(8, 1, hints(KNOWN)))
     assert np.concatenate(asked[1:]).tobytes() == np.concatenate(uniform[1:]).tobytes()
 
 
@@ -103,7 +103,7 @@ def test_half_of_the_children_are_crossed_from_two() -> None:
 ])  # fmt: skip
 def test_known_genomes_that_are_none_are_refused(known: np.ndarray, reason: str) -> None:
     with pytest.raises(ValueError, match=reason):
-        known_genomes(known, 8)
+        replace(Hints.none(8), known=known)
 
 
 @pytest.mark.parametrize("name", STRATEGIES)

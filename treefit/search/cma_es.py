@@ -14,9 +14,10 @@ from pydantic.dataclasses import dataclass
 
 from treefit.search.archive import Archive
 from treefit.search.gaussian import Gaussian, around, learn, rates
+from treefit.search.hints import Hints, hints_for
 from treefit.search.operators import mirrored
 from treefit.search.optimizer import Genomes, Scores, State
-from treefit.search.start import Start, first_genomes, known_genomes
+from treefit.search.start import Start, first_genomes
 
 START_BATCH = 100
 """Genomes of one ask of the first population: each batch knows the floor of the ones before."""
@@ -36,17 +37,17 @@ class CMAES:
     restart_step: float = Field(default=0.15, gt=0, le=1)
     start: Start = "mixed"
 
-    def begin(self, n_genes: int, seed: int, known: Genomes | None = None) -> CMAESSearch:
+    def begin(self, n_genes: int, seed: int, hints: Hints | None = None) -> CMAESSearch:
         """Optimizer for genomes of `n_genes` genes."""
-        return CMAESSearch(self, n_genes, seed, known)
+        return CMAESSearch(self, n_genes, seed, hints)
 
 
 class CMAESSearch:
     """CMA-ES under way; `gaussian` is None during the first population."""
 
-    def __init__(self, settings: CMAES, n_genes: int, seed: int, known: Genomes | None) -> None:
+    def __init__(self, settings: CMAES, n_genes: int, seed: int, hints: Hints | None) -> None:
         self.settings, self.n_genes, self.seed = settings, n_genes, seed
-        self.known = known_genomes(known, n_genes)
+        self.known = hints_for(n_genes, hints).known
         self.first = max(1, round(settings.start_share * settings.evaluations))
         self.population = max(settings.min_population, (settings.evaluations - self.first) // settings.generations)
         self.archive, self.rates = Archive(n_genes), rates(n_genes, self.population)

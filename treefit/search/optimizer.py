@@ -8,7 +8,10 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-Genomes = NDArray[np.float64]  # (m, n) in [0, 1]
+from treefit.search.hints import Genomes, Hints
+
+__all__ = ["Genomes", "Optimizer", "Scores", "State", "Strategy"]
+
 Scores = NDArray[np.float64]  # (m,)
 State = Mapping[str, NDArray[np.generic]]
 
@@ -53,8 +56,8 @@ class Strategy(Protocol):
     def evaluations(self) -> int:
         """Budget: count of genomes that are scored."""
 
-    def begin(self, n_genes: int, seed: int, known: Genomes | None = None) -> Optimizer:
+    def begin(self, n_genes: int, seed: int, hints: Hints | None = None) -> Optimizer:
         """Optimizer for genomes of `n_genes` genes; all its draws come from `seed`.
 
-        It may begin from `known` genomes (m, n); a restored one needs the same as the one that it goes on from.
+        `hints` may lead it, or not; a restored one needs the same as the one that it goes on from.
         """

@@ -8,8 +8,9 @@ from pydantic import ConfigDict, Field
 from pydantic.dataclasses import dataclass
 
 from treefit.search.archive import Archive
+from treefit.search.hints import Hints, hints_for
 from treefit.search.optimizer import Genomes, Scores, State
-from treefit.search.start import Start, first_genomes, known_genomes
+from treefit.search.start import Start, first_genomes
 
 
 @dataclass(frozen=True, config=ConfigDict(extra="forbid"))
@@ -20,9 +21,9 @@ class RandomSearch:
     batch: int = Field(default=400, ge=1)
     start: Start = "mixed"
 
-    def begin(self, n_genes: int, seed: int, known: Genomes | None = None) -> RandomRun:
+    def begin(self, n_genes: int, seed: int, hints: Hints | None = None) -> RandomRun:
         """Optimizer for genomes of `n_genes` genes."""
-        return RandomRun(self, n_genes, seed, known)
+        return RandomRun(self, n_genes, seed, hints)
 
 
 class RandomRun:
@@ -30,9 +31,9 @@ class RandomRun:
 
     stage = "random"
 
-    def __init__(self, settings: RandomSearch, n_genes: int, seed: int, known: Genomes | None) -> None:
+    def __init__(self, settings: RandomSearch, n_genes: int, seed: int, hints: Hints | None) -> None:
         self.settings, self.n_genes, self.seed, self.told = settings, n_genes, seed, 0
-        self.known = known_genomes(known, n_genes)
+        self.known = hints_for(n_genes, hints).known
         self.archive = Archive(n_genes)
         self._asked: Genomes | None = None
 

@@ -17,17 +17,6 @@ STEPS = (0.02, 0.05, 0.1)
 """Standard deviations of the genes of a child, every step as often: some children are near by, others far off."""
 
 
-def known_genomes(known: Genomes | None, n_genes: int) -> Genomes:
-    """Return `known` (m, n) as it is, none as (0, n); ValueError for another shape or genes outside [0, 1]."""
-    if known is None:
-        return np.empty((0, n_genes))
-    if known.ndim != 2 or known.shape[1] != n_genes:
-        raise ValueError(f"known genomes: must have the shape (m, {n_genes}), got {known.shape}")
-    if not ((known >= 0) & (known <= 1)).all():
-        raise ValueError("known genomes: genes must be in [0, 1]")
-    return known
-
-
 def first_genomes(start: Start, known: Genomes, places: NDArray[np.int64], rng: np.random.Generator) -> Genomes:
     """Genomes (m, n) at `places` (m,) of a first population, which the genomes `known` (k, n) lead, unless `random`.
 

@@ -13,9 +13,10 @@ from pydantic import ConfigDict, Field
 from pydantic.dataclasses import dataclass
 
 from treefit.search.archive import Archive
+from treefit.search.hints import Hints, hints_for
 from treefit.search.operators import fittest, mutate, one_dot_crossover, pick_parents, uniform_crossover, without_twins
 from treefit.search.optimizer import Genomes, Scores, State
-from treefit.search.start import Start, first_genomes, known_genomes
+from treefit.search.start import Start, first_genomes
 
 
 @dataclass(frozen=True, config=ConfigDict(extra="forbid"))
@@ -32,17 +33,17 @@ class TreeGA:
     crossover: str = Field(default="one_dot", pattern="^(one_dot|uniform)$")
     start: Start = "mixed"
 
-    def begin(self, n_genes: int, seed: int, known: Genomes | None = None) -> TreeGASearch:
+    def begin(self, n_genes: int, seed: int, hints: Hints | None = None) -> TreeGASearch:
         """Optimizer for genomes of `n_genes` genes."""
-        return TreeGASearch(self, n_genes, seed, known)
+        return TreeGASearch(self, n_genes, seed, hints)
 
 
 class TreeGASearch:
     """The tree of GAs under way; `level` counts down to 0, the root."""
 
-    def __init__(self, settings: TreeGA, n_genes: int, seed: int, known: Genomes | None) -> None:
+    def __init__(self, settings: TreeGA, n_genes: int, seed: int, hints: Hints | None) -> None:
         self.settings, self.n_genes, self.seed = settings, n_genes, seed
-        self.known = known_genomes(known, n_genes)
+        self.known = hints_for(n_genes, hints).known
         self.depth, self.survivors = _depth(settings), settings.population - settings.population // 2
         self.archive = Archive(n_genes)
         self.level, self.generation, self.told = self.depth - 1, 0, 0
