@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from tests.search.test_contract import hints
 from treefit.search import CMAES
 from treefit.search.cma_es import CMAESSearch
 from treefit.search.gaussian import around, learn, rates
