@@ -24,6 +24,7 @@ from experiments.preset import find_preset
 from experiments.run_folder import settle
 from experiments.settings import TASKS, Settings, Strip, read_settings
 from experiments.sheet_values import choose
+from experiments.start import find_start
 from experiments.strip_growth import shown_parameter
 from treefit.plant import Generator
 
@@ -70,11 +71,13 @@ def _check_of_generator(cfg: DictConfig, settings: Settings) -> None:
     """Raise UserError for what only the generator knows: its presets, the names and values of its parameters."""
     chosen = settings.sheet.names if settings.task == "sheet" else None
     strip = settings.strip if settings.task == "grow" else Strip()
-    if settings.preset is None and chosen is None and not settings.values and strip == Strip():
+    begins = settings.start if settings.task == "fit" and not settings.resume else ()
+    if settings.preset is None and chosen is None and not settings.values and strip == Strip() and not begins:
         return
     generator = cast(Generator, build(cfg.generator, "generator"))
     if settings.preset is not None:
         find_preset(settings.preset, generator)
+    find_start(begins, generator)
     choose(generator.space, chosen)
     shown_parameter(generator, strip)
     with blame("values"):

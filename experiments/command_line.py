@@ -9,12 +9,13 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from experiments.errors import UserError
-from experiments.pictures import is_file
+from experiments.pictures import is_file, is_there
 
 FILE_KEYS = ("image", "preset", "mask.path")
-FOLDER_KEYS = ("resume", "hydra.run.dir", "hydra.sweep.dir", "tracking.uri")
-PATTERN_KEYS = ("similarities.masks",)
-OPEN_KEYS = ("values", "generator.fixed")
+FOLDER_KEYS = ("resume", "hydra.run.dir", "hydra.sweep.dir", "tracking.uri", "memory.folder")
+START_KEY = "start"
+PATTERN_KEYS = ("similarities.masks", "compare.masks")
+OPEN_KEYS = ("values", "generator.fixed", "compare.variants")
 """Tables that may be given any name; Hydra wants a plus for one that is not in the configuration yet."""
 
 KEPT_ON_RESUME = ("resume", "debug", "tracking", "evaluator", "stop", "hydra")
@@ -64,6 +65,8 @@ def _prepare_one(argument: str, sweep: bool) -> str:
     match, key = _SETTING.fullmatch(argument), _key(argument)
     if key.startswith(tuple(f"{table}." for table in OPEN_KEYS)) or key in OPEN_KEYS:
         return f"++{argument.lstrip('+')}"
+    if match and key == START_KEY and is_there(match["value"]):
+        return f"{match['key']}={quote(match['value'])}"
     if not match or key not in FILE_KEYS + FOLDER_KEYS + PATTERN_KEYS:
         return argument
     value = match["value"]

@@ -75,7 +75,8 @@ def _attempt(cfg: DictConfig, given: Sequence[str], folder: Path) -> tuple[int, 
         import_module(f"experiments.{settled.task}").run(settled)
     except KeyboardInterrupt:
         go_on = f"; to go on: python run.py resume={shlex.quote(str(folder))}"
-        print(f"stopped{go_on if (folder / 'checkpoint.npz').exists() else ''}", file=sys.stderr)
+        kept = any((folder / name).exists() for name in ("checkpoint.npz", "pairs_0000.npz"))
+        print(f"stopped{go_on if kept else ''}", file=sys.stderr)
         sys.exit(STOPPED)
     except Exception as error:
         return _tell(error, bool(cfg.debug), folder, known_folder), one_line(error)

@@ -7,6 +7,7 @@ from typing import cast
 
 from omegaconf import DictConfig
 
+from experiments.beginning import remember, start_of
 from experiments.build import build
 from experiments.candidate_facts import metrics
 from experiments.candidate_words import row
@@ -14,13 +15,14 @@ from experiments.errors import UserError
 from experiments.read_tree import ReadTree, read_tree
 from experiments.run_folder import run_folder
 from experiments.run_log import RunLog
-from experiments.settings import read_settings
+from experiments.settings import Candidates, read_settings
 from experiments.summary import summary
 from experiments.sweep_parent import parent_run
 from experiments.terminal import Progress, print_results
 from experiments.write_run import write_candidates, write_gallery, write_json, write_page, write_table
 from treefit.asset import AssetSettings
 from treefit.checkpoint import CheckpointError
+from treefit.distinct import Distinct
 from treefit.evaluation import Evaluator
 from treefit.fit import Result, Stop, fit
 from treefit.mask import Mask
@@ -28,6 +30,7 @@ from treefit.objective import View
 from treefit.plant import Generator
 from treefit.plant.characteristics import Characteristics
 from treefit.progress import Failure, Generation
+from treefit.racing import Seeds
 from treefit.search import Strategy
 from treefit.similarity import Similarity
 from treefit.tracking import Tracker
@@ -56,6 +59,7 @@ def _fit_and_write(cfg: DictConfig, tree: ReadTree, tracker: Tracker, folder: Pa
     asset = cast(AssetSettings, build(cfg.asset, "asset"))
     result = _fit(cfg, tree.extraction.mask, generator, tracker, folder)
     found = result.candidates
+    remember(read_settings(cfg).memory, generator, tree.extraction.mask, found[0])
     meshes = write_candidates(folder, found, generator, asset)
     write_gallery(folder, tree, found, meshes, f"{tree.name} by {generator.name}")
     write_page(folder, tree, found, meshes)
@@ -86,12 +90,20 @@ def _fit(cfg: DictConfig, mask: Mask, generator: Generator, tracker: Tracker, fo
                 characteristics=cast(Characteristics, build(cfg.characteristics, "characteristics")),
                 view=cast(View, build(cfg.view, "view")), optimizer=strategy,
                 evaluator=cast(Evaluator, build(cfg.evaluator, "evaluator")), seed=settings.seed,
-                candidates=settings.candidates.count, min_distance=settings.candidates.min_distance,
+                candidates=settings.candidates.count, distinct=_distinct(settings.candidates),
+                runners_up=settings.candidates.runners_up,
+                seeds=Seeds(settings.objective.seeds, settings.objective.racing),
                 other_seeds=settings.other_seeds, stop=Stop(settings.stop.score, settings.stop.seconds),
-                checkpoint=folder / "checkpoint.npz", on_generation=on_generation,
+                checkpoint=folder / "checkpoint.npz",
+                start=start_of(settings.start, settings.memory, generator, mask, folder),
+                on_generation=on_generation,
             )  # fmt: skip
         except CheckpointError as error:
             raise UserError(f"resume: {error}") from error
+
+
+def _distinct(settings: Candidates) -> Distinct:
+    return Distinct(settings.min_distance, settings.within)
 
 
 def _tags(cfg: DictConfig, tree: ReadTree) -> dict[str, str]:
@@ -102,5 +114,6 @@ def _tags(cfg: DictConfig, tree: ReadTree) -> dict[str, str]:
 def _params(cfg: DictConfig) -> dict[str, str]:
     """The few settings that runs are compared by."""
     chosen = {"seed": cfg.seed, "evaluations": cfg.optimizer.get("evaluations"),
-              "resolution": cfg.view.get("resolution"), "vertices": cfg.characteristics.get("vertices")}  # fmt: skip
-    return {name: str(value) for name, value in chosen.items()}
+              "resolution": cfg.view.get("resolution"), "vertices": None}  # fmt: skip
+    wishes = cast(Characteristics, build(cfg.characteristics, "characteristics"))
+    return {name: str(value) for name, value in (chosen | wishes.wanted).items()}

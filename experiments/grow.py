@@ -12,6 +12,7 @@ from omegaconf import DictConfig
 from PIL import Image
 
 from experiments.build import build
+from experiments.forest import write_forest
 from experiments.preset import wanted_plant
 from experiments.run_folder import run_folder
 from experiments.settings import read_settings
@@ -28,11 +29,18 @@ _log = logging.getLogger(__name__)
 def run(cfg: DictConfig) -> None:
     """Grow cfg.generator from cfg.preset and cfg.values; write its files and print one JSON line last.
 
-    With a strip, `strip_failed` says which years could not be shown, and why.
+    With `seeds` there is one tree on each of them, and a sheet of all. With a strip, `strip_failed` says which years
+    could not be shown, and why.
     """
     generator, folder = cast(Generator, build(cfg.generator, "generator")), run_folder()
     asset = cast(AssetSettings, build(cfg.asset, "asset"))
     values, seed = wanted_plant(cfg, generator)
+    seeds = read_settings(cfg).seeds
+    if seeds is not None:
+        title = f"{generator.name} {generator.version}{f': {_preset(cfg)}' if cfg.preset else ''} on {len(seeds)} seeds"
+        facts = write_forest(folder, generator, values, seeds, asset, title)
+        print(json.dumps({"generator": generator.name, **facts}, ensure_ascii=False), flush=True)
+        return
     plant = generator(values, seed, BUDGET)
     check_plant(plant)
     if plant.cut:
@@ -60,8 +68,12 @@ def _strip(
     parameter = shown_parameter(generator, settings)
     if parameter is None:
         return [], []
-    preset = None if cfg.preset is None else Path(cfg.preset).stem.removesuffix("preset")
-    return write_strip(run_folder(), Growth(generator, parameter, values, seed), settings, asset, preset)
+    return write_strip(run_folder(), Growth(generator, parameter, values, seed), settings, asset, _preset(cfg))
+
+
+def _preset(cfg: DictConfig) -> str | None:
+    """Name of the preset, if it has one."""
+    return None if cfg.preset is None else Path(cfg.preset).stem.removesuffix("preset")
 
 
 def describe(plant: Plant) -> dict[str, object]:

@@ -25,6 +25,19 @@ def is_file(name: str) -> bool:
         return False
 
 
+def is_there(name: str) -> bool:
+    """Whether `name` is a file or a folder of the user's."""
+    try:
+        return bool(name) and _from_here(name).exists()
+    except (OSError, ValueError):
+        return False
+
+
+def absolute(name: str) -> str:
+    """Absolute path of a file or folder of the user's; any other name as it is."""
+    return str(_from_here(name).resolve()) if is_there(name) else name
+
+
 def find_file(name: str, place: str) -> Path:
     """Absolute path of the file `name` of the setting `place`; UserError with a proposal when missing."""
     if not is_file(name):

@@ -17,19 +17,19 @@ from treefit.plant import Generator, Preset, Value, read_preset
 _log = logging.getLogger(__name__)
 
 
-def find_preset(name: str, generator: Generator) -> Preset:
+def find_preset(name: str, generator: Generator, place: str = "preset") -> Preset:
     """Return the preset `name` with values that `generator` takes; a file comes before a plant of that name.
 
-    UserError with one line when it is neither, or of another generator.
+    UserError with one line, which begins with the setting `place`, when it is neither, or of another generator.
     """
     own = generator.presets
     if is_file(name) or (name not in own and _is_path(name)):
-        preset = _read(name, generator)
+        preset = _read(name, generator, place)
     elif name in own:
         preset = replace(own[name], version=generator.version)  # a generator comes with presets that fit it
     else:
-        raise UserError(f"preset: neither a file nor a plant of {generator.name}: {name!r}{did_you_mean(name, own)}")
-    with blame(f"preset: {name}"):
+        raise UserError(f"{place}: neither a file nor a plant of {generator.name}: {name!r}{did_you_mean(name, own)}")
+    with blame(f"{place}: {name}"):
         generator.space.complete(preset.values)
     return preset
 
@@ -40,7 +40,7 @@ def wanted_plant(cfg: DictConfig, generator: Generator) -> tuple[dict[str, Value
     seed = int(cfg.seed)
     if cfg.preset is not None:
         preset = find_preset(str(cfg.preset), generator)
-        _warn_of_version(preset, generator)
+        warn_of_version(preset, generator)
         given = {**preset.values, **given}
         if not any(line.startswith("seed=") for line in HydraConfig.get().overrides.task):
             seed = preset.seed
@@ -48,17 +48,18 @@ def wanted_plant(cfg: DictConfig, generator: Generator) -> tuple[dict[str, Value
         return generator.space.complete(given), seed
 
 
-def _warn_of_version(preset: Preset, generator: Generator) -> None:
+def warn_of_version(preset: Preset, generator: Generator) -> None:
+    """Say it when `preset` was made by another version of `generator`."""
     if preset.version != generator.version:
         _log.warning("the preset is of version %s of %s, this is %s: the tree may differ", preset.version,
                      generator.name, generator.version)  # fmt: skip
 
 
-def _read(name: str, generator: Generator) -> Preset:
-    with blame("preset"):
-        preset = read_preset(find_file(name, "preset"))
+def _read(name: str, generator: Generator, place: str) -> Preset:
+    with blame(place):
+        preset = read_preset(find_file(name, place))
     if preset.generator != generator.name:
-        raise UserError(f"preset: it was made by {preset.generator}; add generator={preset.generator}")
+        raise UserError(f"{place}: it was made by {preset.generator}; add generator={preset.generator}")
     return preset
 
 

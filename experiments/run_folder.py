@@ -10,7 +10,8 @@ from hydra.types import RunMode
 from omegaconf import DictConfig, OmegaConf
 
 from experiments.errors import UserError
-from experiments.pictures import find_file, is_file
+from experiments.pictures import absolute, find_file, is_file
+from experiments.start_settings import listed
 
 CHANGED_ON_RESUME = ("tracking", "evaluator", "stop", "debug")
 
@@ -44,6 +45,10 @@ def settle(cfg: DictConfig, given: Sequence[str]) -> DictConfig:
         node = settled[group] if group else settled
         if node.get(key) and (key != "preset" or is_file(str(node[key]))):  # else it is one of the generator's own
             node[key] = str(find_file(str(node[key]), f"{group}.{key}".strip(".")))
+    if settled.get("start"):
+        settled.start = [absolute(str(name)) for name in listed(settled.start)]
+    if settled.get("memory") and settled.memory.use:
+        settled.memory.folder = str(Path(settled.memory.folder).absolute())
     return settled
 
 

@@ -10,8 +10,11 @@ from omegaconf import DictConfig, OmegaConf
 from pydantic import BeforeValidator, ConfigDict, Field, TypeAdapter, ValidationError, ValidationInfo, field_validator
 from pydantic.dataclasses import dataclass
 
+from experiments.compare_settings import Compare
 from experiments.errors import UserError, describe_validation, did_you_mean
 from experiments.pictures import examples
+from experiments.seeds import SeedList
+from experiments.start_settings import MemorySettings, StartNames
 
 GROUPS = (
     "generator",
@@ -32,7 +35,9 @@ TASKS = {
     "benchmark": ("generator", "similarity", "view"),
     "fidelity": ("generator", "similarity", "view"),
     "speed_study": ("generator", "view"),
+    "statistics": ("generator", "similarity", "characteristics", "view", "evaluator"),
     "similarities": ("generator", "mask", "similarity", "characteristics", "optimizer", "view", "evaluator"),
+    "compare": ("mask", "similarity", "characteristics", "view", "tracking"),
 }
 """Groups that a task builds, by task."""
 
@@ -49,6 +54,16 @@ class Candidates:
 
     count: Annotated[int, Field(ge=1, le=100)]
     min_distance: Share
+    within: Share = 0.05
+    runners_up: Annotated[float, Field(ge=0, le=0.9)] = 0.1
+
+
+@dataclass(frozen=True, config=ConfigDict(extra="forbid"))
+class ObjectiveSettings:
+    """How many seeds a score is the mean of, and whether trees race for them."""
+
+    seeds: Annotated[int, Field(ge=1, le=100)] = 1
+    racing: bool = True
 
 
 @dataclass(frozen=True)
@@ -116,6 +131,20 @@ class Similarities:
 
 
 @dataclass(frozen=True, config=ConfigDict(extra="forbid"))
+class Statistics:
+    """What the task statistics counts: `plants` random plants against `targets`, `steps` of them moved gene by gene."""
+
+    targets: Annotated[int, Field(ge=3, le=500)] = 36
+    plants: Annotated[int, Field(ge=10)] = 60_000
+    fresh: Annotated[int, Field(ge=10)] = 6_000
+    steps: Annotated[int, Field(ge=1)] = 300
+    parts: Annotated[int, Field(ge=1, le=100)] = 10
+    share: Annotated[float, Field(gt=0, lt=1)] = 0.05
+    eps: Share | None = None
+    renew: bool = False
+
+
+@dataclass(frozen=True, config=ConfigDict(extra="forbid"))
 class Sheet:
     """What the task sheet draws: parameters by `names`, all when None; presets on `seeds` seeds; `height` of a cell."""
 
@@ -153,10 +182,16 @@ class Settings:
     resume: Name | None
     preset: Name | None
     values: dict[str, bool | int | float | str]
+    start: StartNames = ()
+    memory: MemorySettings = MemorySettings()
     fidelity: Fidelity = Fidelity()
     benchmark: Benchmark = Benchmark()
     speed_study: SpeedStudy = SpeedStudy()
     similarities: Similarities = field(default_factory=Similarities)
+    compare: Compare = field(default_factory=Compare)
+    statistics: Statistics = field(default_factory=Statistics)
+    objective: ObjectiveSettings = field(default_factory=ObjectiveSettings)
+    seeds: SeedList = None
     sheet: Sheet = field(default_factory=Sheet)
     strip: Strip = field(default_factory=Strip)
 

@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-import platform
-import re
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
-from importlib.metadata import version
-from pathlib import Path
 
 import numpy as np
 
+from experiments.markdown import LEFT, command, table, versions
 from experiments.similarities_fit import Study
 from treefit.similarity import Mix
 from treefit.similarity.measures import Agreement
@@ -58,9 +55,9 @@ def page(study: Study, given: Iterable[str]) -> str:
     count = f"Means over {len(common)} picture{'s' if len(common) != 1 else ''} that every similarity has."
     return "\n".join([
         "# Similarities", "", HOW, "",
-        f"Made by `python run.py {' '.join(_plain(one) for one in given)}`",
-        f"with {_versions()}: `{study.generator}`, {study.evaluations:,} evaluations a fit, seed {study.seed}.", "",
-        *_table(["similarity", "made of"], [[name, _recipe(mix)] for name, mix in study.mixes.items()]), "",
+        f"Made by `{command(given)}`",
+        f"with {versions()}: `{study.generator}`, {study.evaluations:,} evaluations a fit, seed {study.seed}.", "",
+        *table(["similarity", "made of"], [[name, _recipe(mix)] for name, mix in study.mixes.items()], [LEFT] * 2), "",
         "## The trees that were found", "", count, "", *_means(study, others=False), "",
         *([f"## The same values on {study.other_seeds} other seeds", "", *_means(study, others=True), ""]
           if study.other_seeds else []),
@@ -96,7 +93,7 @@ def _means(study: Study, others: bool) -> list[str]:
         columns[each.words] = _column([row[each.field] for row in found.values()], each)
     if not others:
         columns["seconds"] = [f"{row['seconds']:.1f}" for row in found.values()]
-    return _table(["similarity", *columns], list(zip(found, *columns.values(), strict=True)))
+    return table(["similarity", *columns], list(zip(found, *columns.values(), strict=True)))
 
 
 def _by_picture(study: Study, measure: Measure) -> list[str]:
@@ -105,7 +102,7 @@ def _by_picture(study: Study, measure: Measure) -> list[str]:
         fits = [study.by_pair.get((picture, name)) for name in study.mixes]
         rows.append([picture, *_column([measure.of(fit.agreement) if fit else None for fit in fits], measure)])
     return [f"## {measure.words[0].upper()}{measure.words[1:]} by picture", "",
-            *_table(["picture", *study.mixes], rows), ""]  # fmt: skip
+            *table(["picture", *study.mixes], rows), ""]  # fmt: skip
 
 
 def _column(numbers: Sequence[float | None], measure: Measure) -> list[str]:
@@ -116,28 +113,9 @@ def _column(numbers: Sequence[float | None], measure: Measure) -> list[str]:
     return [f"**{text}**" if text == best else text for text in shown]
 
 
-def _table(head: Sequence[str], rows: Iterable[Sequence[str]]) -> list[str]:
-    sides = [":---", *(["---:"] * (len(head) - 1))] if head[1] != "made of" else [":---"] * 2
-    return ["| " + " | ".join(line) + " |" for line in [head, sides, *rows]]
-
-
 def _recipe(mix: Mix) -> str:
     """Weights of the terms that count: "0.4 soft + 0.6 texture"."""
     weights = {name: weight for name, weight in mix.weights.items() if weight > 0}
     if mix.combine == "product":
         return " · ".join(f"{name}^{weight:g}" for name, weight in weights.items())
     return " + ".join(f"{weight:g} {name}" for name, weight in weights.items())
-
-
-def _plain(setting: str) -> str:
-    """One setting as it is typed, without the folders of the machine it was run on."""
-    name, _, value = setting.partition("=")
-    value = value.strip("'\"")
-    if name == "similarities.masks":
-        value = "/".join(Path(value).parts[-2:])
-    return f"{name}={value}" if re.fullmatch(r"[\w./:+-]*", value) else f"'{name}={value}'"
-
-
-def _versions() -> str:
-    packages = ", ".join(f"{name} {version(name)}" for name in ("treefit", "numba", "numpy"))
-    return f"Python {platform.python_version()}, {packages}"

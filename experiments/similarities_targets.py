@@ -1,4 +1,4 @@
-"""Targets of the task similarities: masks by the name of their picture."""
+"""Targets of the tasks similarities and compare: masks by the name of their picture."""
 
 from __future__ import annotations
 
@@ -18,25 +18,28 @@ from treefit.mask import Mask
 from treefit.view.frame import place
 
 
-def read_targets(pattern: str | None, extractor: DictConfig) -> dict[str, Mask]:
-    """Masks in the files that `pattern` matches; None: those that `extractor` finds in the example pictures."""
+def read_targets(pattern: str | None, extractor: DictConfig, setting: str = "similarities.masks") -> dict[str, Mask]:
+    """Masks in the files that `pattern`, the value of `setting`, matches.
+
+    None: those that `extractor` finds in the example pictures.
+    """
     if pattern is None:
         find = cast(Extractor, build(extractor, "mask"))
         return {Path(name).stem: find(read_picture(EXAMPLES / name)).mask for name in examples()}
     targets: dict[str, Mask] = {}
-    for file in _files(pattern):
+    for file in _files(pattern, setting):
         name = file.stem.removeprefix("mask_")
         if name in targets:
-            raise UserError(f"similarities.masks: two files are named {name!r}; rename one, {file} for example")
+            raise UserError(f"{setting}: two files are named {name!r}; rename one, {file} for example")
         targets[name] = read_mask_file(file)
-        with blame(f"similarities.masks: {file}"):
+        with blame(f"{setting}: {file}"):
             place(targets[name])
     return targets
 
 
-def _files(pattern: str) -> list[Path]:
+def _files(pattern: str, setting: str) -> list[Path]:
     found = glob.glob(os.path.expanduser(pattern), recursive=True)  # noqa: PTH111, PTH207  as in command_line.py
     files = sorted(Path(file) for file in found if Path(file).is_file())
     if not files:
-        raise UserError(f"similarities.masks: no file matches {pattern!r}")
+        raise UserError(f"{setting}: no file matches {pattern!r}")
     return files

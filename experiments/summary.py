@@ -45,5 +45,6 @@ def _candidate(found: Candidate, mesh: MeshCounts) -> dict[str, object]:
         **record(found, mesh),
         "multipliers": dict(found.score.multipliers),
         "seed": found.seed,
+        "seeds": found.seeds,
         "values": dict(found.values),
     }

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from pathlib import Path
 from typing import ClassVar
 
 import numpy as np
@@ -24,6 +25,7 @@ class Failing:
     version: str = "1"
     size_parameter: str | None = "branch_len_0"
     age_parameter: str | None = None
+    family: Path | None = None
     presets: ClassVar[Mapping[str, Preset]] = {}
 
     @property

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import ClassVar
 
 import numpy as np
@@ -32,6 +33,7 @@ class OneSeed:
     parallel: str = "threads"
     size_parameter: str | None = None
     age_parameter: str | None = None
+    family: Path | None = None
     presets: ClassVar[Mapping[str, Preset]] = {}
     space: ParameterSpace = field(default_factory=lambda: SimpleGen().space)
 

@@ -9,7 +9,7 @@ import pytest
 from generators.simplegen import SimpleGen
 from tests.conftest import blob
 from tests.failing import Failing
-from treefit.evaluation import Evaluator, parts
+from treefit.evaluation import Evaluator, in_parallel, parts
 from treefit.fit import aim
 from treefit.objective import Objective
 from treefit.plant.characteristics import Characteristics
@@ -85,3 +85,10 @@ def test_parts_hold_every_genome_once_and_shrink_to_single_ones(count: int, work
 def test_a_setting_out_of_range_is_refused() -> None:
     with pytest.raises(ValueError, match="workers"):
         Evaluator(workers=-1)
+
+
+@pytest.mark.parametrize("workers", [1, 2])
+def test_long_jobs_come_as_they_are_done(workers: int) -> None:
+    assert sorted(in_parallel(abs, [-3, 1, -2], workers, "processes", ordered=False)) == [1, 2, 3]
+    assert list(in_parallel(abs, [-3, 1, -2], workers, "processes")) == [3, 1, 2]
+    assert list(in_parallel(abs, [], workers, "processes", ordered=False)) == []

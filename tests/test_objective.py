@@ -13,7 +13,8 @@ from tests.failing import Failing
 from treefit.fit import aim
 from treefit.objective import Objective
 from treefit.plant import Budget, Plant
-from treefit.plant.characteristics import Characteristics
+from treefit.plant.characteristics import Characteristics, OfHeight
+from treefit.plant.extent import extent_of
 from treefit.similarity import PaperSimilarity
 from treefit.view import BitMask, OrthographicView
 
@@ -58,6 +59,24 @@ def test_the_size_is_searched_only_when_a_wish_sees_it(objective: Objective) -> 
     assert "branch_len_0" in objective.space.names
     free = aim(blob(), SimpleGen(), PaperSimilarity(), Characteristics(), OrthographicView(), 0)
     assert "branch_len_0" not in free.space.names
+
+
+def test_a_width_from_the_image_is_that_of_the_tree_in_the_mask_at_the_wished_height() -> None:
+    wishes = Characteristics(height=10.0, width="from_image")
+    found = aim(blob(crown=0.3), SimpleGen(), PaperSimilarity(), wishes, OrthographicView(), 0)
+    assert found.characteristics.width == OfHeight(pytest.approx(0.6, abs=0.01))
+    assert "branch_len_0" in found.space.names
+    plant = found.grow(np.full(len(found.space), 0.5), 0)
+    extent, multipliers = extent_of(plant), found.score(plant).multipliers
+    width = extent.width / 6.0
+    assert multipliers["width"] == pytest.approx(min(width, 1 / width), rel=0.02)
+
+
+def test_the_budget_follows_from_the_most_that_is_wished_for() -> None:
+    wishes = Characteristics(vertices={"max": 5000})
+    assert aim(blob(), SimpleGen(), PaperSimilarity(), wishes, OrthographicView(), 0).budget == Budget(20_000, 40_000)
+    given = aim(blob(), SimpleGen(), PaperSimilarity(), wishes, OrthographicView(), 0, Budget(300, 400))
+    assert given.budget == Budget(300, 400)
 
 
 def test_the_size_in_metres_does_not_change_the_image_similarity(objective: Objective) -> None:

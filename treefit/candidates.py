@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from contextlib import suppress
 from dataclasses import dataclass
 
@@ -22,13 +22,14 @@ REPORT_HEIGHT = 256  # rows at which masks are compared in reports
 class Candidate:
     """One tree: its genome (n,), values by name, seed, the plant with its mask at 256 rows, and how good it is.
 
-    `score` and `agreement` are those of this plant, the other two the mean over the same values on other seeds, None
-    when there were none.
+    `score` is that of the search, the mean over `seeds` seeds; `agreement` is that of this plant, and the other two are
+    the mean over the same values on other seeds, None when there were none.
     """
 
     genome: Genome
     values: Mapping[str, Value]
     seed: int
+    seeds: int
     score: Score
     score_other_seeds: float | None
     agreement: Agreement
@@ -36,25 +37,6 @@ class Candidate:
     plant: Plant
     extent: Extent
     mask: Mask
-
-
-def choose(objective: Objective, genomes: Sequence[Genome], count: int, min_distance: float) -> list[Genome]:
-    """At most `count` of `genomes` (best first) that look different: 1 - ImSim of each other is `min_distance`.
-
-    When too few are, the distance is halved until there are enough.
-    """
-    descriptions = []
-    for genome in genomes:
-        plant = objective.grow(genome, objective.seed)
-        descriptions.append(objective.similarity.describe(objective.view(plant, objective.frame)))
-    chosen: list[int] = []
-    while len(chosen) < min(count, len(genomes)):
-        for i in range(len(genomes)):
-            likes = (objective.similarity.compare(descriptions[j], descriptions[i]) for j in chosen)
-            if len(chosen) < count and i not in chosen and all(1.0 - like >= min_distance for like in likes):
-                chosen.append(i)
-        min_distance = min_distance / 2 if min_distance > 1e-3 else 0.0
-    return [genomes[i] for i in sorted(chosen)]
 
 
 def judge(objective: Objective, genome: Genome, target: Mask, other_seeds: int) -> Candidate:
@@ -67,7 +49,8 @@ def judge(objective: Objective, genome: Genome, target: Mask, other_seeds: int) 
         genome=genome,
         values=objective.space.decode(genome),
         seed=objective.seed,
-        score=objective.score(plant),
+        seeds=len(objective.seeds),
+        score=objective.score(plant) if len(objective.seeds) == 1 else objective.mean(genome),
         score_other_seeds=float(np.mean([score for score, _ in others])) if others else None,
         agreement=agreement(wanted, mask),
         agreement_other_seeds=mean_agreement([agreement(wanted, other) for _, other in others]),

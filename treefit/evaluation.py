@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
-from typing import Any, TypeAlias
+from typing import Any, Protocol, TypeAlias, TypeVar
 
 import numpy as np
 from joblib import Parallel, cpu_count, delayed
@@ -13,10 +13,26 @@ from numpy.typing import NDArray
 from pydantic import ConfigDict, Field
 from pydantic.dataclasses import dataclass
 
-from treefit.objective import Objective, Score
+from treefit.objective import Objective, Score, View
+from treefit.plant import Generator
+
+Job = TypeVar("Job")
+Found = TypeVar("Found")
 
 Batch: TypeAlias = Callable[[NDArray[np.float64], NDArray[np.float64]], list[Score]]
 """Function on genomes (m, n) and floors (m,) to m scores."""
+
+
+class Grower(Protocol):
+    """What plants come from, and what draws them."""
+
+    @property
+    def generator(self) -> Generator:
+        """Grows plants."""
+
+    @property
+    def view(self) -> View:
+        """Draws plants."""
 
 
 class Threads(ThreadingBackend):  # type: ignore[misc]  # joblib has no types
@@ -72,12 +88,26 @@ class Evaluator:
         else:
             yield batch
 
-    def backend(self, objective: Objective) -> str:
-        """Return threads, processes or serial for `objective`."""
+    def backend(self, objective: Grower) -> str:
+        """Return threads, processes or serial for `objective`, or whatever else grows plants and draws them."""
         if self.kind != "auto":
             return self.kind
         both = (objective.generator.parallel, objective.view.parallel)
         return "threads" if both == ("threads", "threads") else "processes"
+
+
+def in_parallel(
+    function: Callable[[Job], Found], items: Iterable[Job], workers: int = 0, kind: str = "threads",
+    *, ordered: bool = True,
+) -> Iterator[Found]:  # fmt: skip
+    """Yield `function` of each of `items`, by `workers` (0: one a core); `kind` is that of a backend.
+
+    They come in order, or, when they need not be `ordered`, each at once when it is done.
+    """
+    backend = "threading" if kind == "threads" else BACKENDS[kind]()
+    returned = "generator" if ordered else "generator_unordered"
+    pool = Parallel(n_jobs=workers or cpu_count(), backend=backend, return_as=returned)
+    yield from pool(delayed(function)(item) for item in items)
 
 
 def parts(count: int, workers: int, most: int) -> list[slice]:

@@ -6,29 +6,37 @@ import hashlib
 import math
 import time
 from collections.abc import Callable, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
+from numpy.typing import NDArray
 from threadpoolctl import threadpool_limits
 
-from treefit.candidates import Candidate, choose, judge
+from treefit.candidates import Candidate, judge
 from treefit.checkpoint import CheckpointError, read_checkpoint, write_checkpoint
+from treefit.distinct import Distinct, choose, looks
 from treefit.evaluation import Evaluator
 from treefit.family.hints import hints_of
 from treefit.image import AutoMask, Extractor, read_picture
 from treefit.mask import Mask, check_mask
-from treefit.objective import Objective, View
+from treefit.objective import Objective, Score, View
 from treefit.plant import Budget, Generator, Values
 from treefit.plant.characteristics import Characteristics
 from treefit.progress import Failure, Generation, Progress
+from treefit.racing import Seeds, raced
+from treefit.runners_up import MOST, Told, with_runners_up
 from treefit.search import CMAES, Hints, Optimizer, Strategy
 from treefit.similarity import Mix, Similarity
 from treefit.view import BitMask, OrthographicView, frame_for, sample
+from treefit.view.frame import place
 
 PATIENCE = 3
 """Generations without a single score after which a search gives up."""
+
+MOST_LOOKED_AT = 64
+"""Genomes of a search that candidates are chosen from."""
 
 CHECKPOINT_SECONDS = 1.0
 """Seconds between two checkpoints: a disk may take longer to write one than a generation takes to be scored."""
@@ -36,10 +44,16 @@ CHECKPOINT_SECONDS = 1.0
 
 @dataclass(frozen=True)
 class Stop:
-    """When to end before the budget is spent: at a score, or after seconds; None for never."""
+    """When to end before the budget is spent: at a score, after seconds, or after so many plants; None for never."""
 
     score: float | None = None
     seconds: float | None = None
+    plants: int | None = None
+
+    def earlier(self, share: float, plants: int) -> Stop:
+        """Return the same for the search, a `share` of the time and of all `plants` being for what comes after it."""
+        seconds = None if self.seconds is None else (1 - share) * self.seconds
+        return Stop(self.score, seconds, round((1 - share) * plants))
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,7 +93,9 @@ def fit(
     seed: int = 0,
     budget: Budget | None = None,
     candidates: int = 3,
-    min_distance: float = 0.1,
+    distinct: Distinct | None = None,
+    runners_up: float = 0.1,
+    seeds: Seeds | None = None,
     other_seeds: int = 5,
     stop: Stop | None = None,
     checkpoint: Path | None = None,
@@ -100,15 +116,22 @@ def fit(
         mask = (extractor or AutoMask())(read_picture(picture)).mask
     objective = aim(mask, generator, similarity or Mix(), characteristics or Characteristics(),
                     view or OrthographicView(), seed, budget)  # fmt: skip
-    strategy = optimizer or CMAES()
+    wish, seeds, evaluator = distinct or Distinct(), seeds or Seeds(), evaluator or Evaluator()
+    objective = replace(objective, further_seeds=seeds.further(seed))
+    plants = (optimizer or CMAES()).evaluations
+    share = min(runners_up, (candidates - 1) * MOST * seeds.plants / plants)
+    strategy = _with_budget(optimizer or CMAES(), round((1 - share) * plants), seeds)
     hints = hints_of(objective, mask, start)
     search = strategy.begin(len(objective.space), seed, hints)
     with threadpool_limits(1, "blas"):  # its threads would fight with the evaluator's, and sum in another order
-        progress = _search(objective, search, evaluator or Evaluator(), stop or Stop(), checkpoint, on_generation,
-                           _fingerprint(objective, mask, strategy, hints))  # fmt: skip
-    genomes, _ = search.best(16 * candidates)
-    chosen = choose(objective, list(genomes), candidates, min_distance)
-    found = [judge(objective, genome, mask, other_seeds) for genome in chosen]
+        progress = _search(objective, search, evaluator, seeds, (stop or Stop()).earlier(share, plants), checkpoint,
+                           on_generation, _fingerprint(objective, mask, strategy, hints, seeds))  # fmt: skip
+        ranked = looks(objective, search.best(MOST_LOOKED_AT)[0])
+        if share and ranked:
+            left = min(plants - progress.evaluations, round(progress.evaluations * share / (1 - share)) + 1)
+            told = _tells(objective, progress, on_generation)
+            ranked = with_runners_up(objective, ranked, candidates, wish, left, evaluator, seeds, told)
+    found = [judge(objective, look.genome, mask, other_seeds) for look in choose(objective, ranked, candidates, wish)]
     return Result(found, progress.history, progress.failures, mask)
 
 
@@ -122,26 +145,25 @@ def aim(
     space = generator.space
     if generator.size_parameter is not None and characteristics.sees_size:
         space = space.release(generator.size_parameter)
-    if budget is None:
-        wanted = characteristics.vertices
-        budget = Budget() if wanted is None else Budget(max(4 * wanted, 100), max(8 * wanted, 200))
-    return Objective(generator, space, view, frame, similarity, target, characteristics, seed, budget)
+    characteristics = characteristics.for_picture(place(mask).width)
+    return Objective(generator, space, view, frame, similarity, target, characteristics, seed,
+                     budget or characteristics.budget)  # fmt: skip
 
 
 def _search(
-    objective: Objective, search: Optimizer, evaluator: Evaluator, stop: Stop, checkpoint: Path | None,
+    objective: Objective, search: Optimizer, evaluator: Evaluator, seeds: Seeds, stop: Stop, checkpoint: Path | None,
     on_generation: Callable[[Generation, list[Failure]], None] | None, fingerprint: str,
 ) -> Progress:  # fmt: skip
     progress = _restore(search, checkpoint, fingerprint)
     if evaluator.backend(objective) != "processes":  # what is compiled now is not on the clock; a crash may end nothing
         objective(np.full(len(objective.space), 0.5))
     started, written = time.perf_counter() - progress.seconds, -math.inf
-    with evaluator.started(objective) as evaluate:
+    with raced(evaluator, objective, seeds) as evaluate:
         while not search.done and not _enough(progress, stop):
             stage, genomes = search.stage, search.ask()
-            scores = evaluate(genomes, search.floors())
+            scores, plants = evaluate(genomes, search.floors())
             search.tell(np.array([score.total for score in scores]))
-            failures = progress.add(stage, objective, genomes, scores, time.perf_counter() - started)
+            failures = progress.add(stage, objective, genomes, scores, time.perf_counter() - started, plants)
             if progress.best.total == 0.0 and (search.done or len(progress.history) >= PATIENCE):
                 reason = progress.first_failure or "all masks were without any likeness"
                 raise SearchError(f"no candidate could be scored; the first reason: {reason}")
@@ -152,6 +174,30 @@ def _search(
             if on_generation is not None:
                 on_generation(progress.history[-1], failures)
     return progress
+
+
+def _with_budget(strategy: Strategy, plants: int, seeds: Seeds) -> Strategy:
+    """Return `strategy` with the count of genomes that `plants` plants are enough for."""
+    genomes = max(1, int(plants / seeds.plants))
+    return strategy if genomes == strategy.evaluations else replace(cast(Any, strategy), evaluations=genomes)
+
+
+def _tells(
+    objective: Objective, progress: Progress, on_generation: Callable[[Generation, list[Failure]], None] | None
+) -> Callable[[str], Told]:
+    """Return what makes, of the name of a stage, a function that adds batches to `progress`."""
+    started = time.perf_counter() - progress.seconds
+
+    def stage(name: str) -> Told:
+        def told(genomes: NDArray[np.float64], scores: list[Score], plants: int) -> None:
+            seconds = time.perf_counter() - started
+            failures = progress.add(name, objective, genomes, scores, seconds, plants)
+            if on_generation is not None:
+                on_generation(progress.history[-1], failures)
+
+        return told
+
+    return stage
 
 
 def _restore(search: Optimizer, checkpoint: Path | None, fingerprint: str) -> Progress:
@@ -169,16 +215,18 @@ def _enough(progress: Progress, stop: Stop) -> bool:
     if not progress.history:
         return False
     now = progress.history[-1]
-    return (stop.score is not None and now.best >= stop.score) or (
-        stop.seconds is not None and now.seconds >= stop.seconds
+    return (
+        (stop.score is not None and now.best >= stop.score)
+        or (stop.seconds is not None and now.seconds >= stop.seconds)
+        or (stop.plants is not None and now.evaluations >= stop.plants)
     )
 
 
-def _fingerprint(objective: Objective, mask: Mask, strategy: Strategy, hints: Hints) -> str:
+def _fingerprint(objective: Objective, mask: Mask, strategy: Strategy, hints: Hints, seeds: Seeds) -> str:
     """Hash of everything that the course of the search depends on."""
     settings = (
         objective.generator.name, objective.generator.version, objective.space, objective.view, objective.frame,
-        objective.similarity, objective.characteristics, objective.seed, objective.budget, strategy, mask.shape,
+        objective.similarity, objective.characteristics, objective.seeds, seeds, objective.budget, strategy, mask.shape,
         [array.shape for array in hints.arrays],
     )  # fmt: skip
     known = b"".join(array.tobytes() for array in hints.arrays)

@@ -68,6 +68,12 @@ class Objective:
     characteristics: Characteristics
     seed: int
     budget: Budget
+    further_seeds: tuple[int, ...] = ()
+
+    @property
+    def seeds(self) -> tuple[int, ...]:
+        """Seeds whose mean score counts, that of the search first; a call tells the score on that one alone."""
+        return self.seed, *self.further_seeds
 
     def __call__(self, genome: Genome, floor: float = -math.inf) -> Score:
         """Score of `genome` (n,); 0 with the reason when the generator fails or its plant is not usable.
@@ -82,8 +88,12 @@ class Objective:
             return Score(0.0, failure=f"{type(error).__name__}: {error}".splitlines()[0][:500])
 
     def on(self, seed: int) -> Objective:
-        """Return the same objective on another seed."""
-        return replace(self, seed=seed)
+        """Return the same objective on another seed, and on no further one."""
+        return replace(self, seed=seed, further_seeds=())
+
+    def mean(self, genome: Genome) -> Score:
+        """Mean score of `genome` (n,) over all seeds."""
+        return mean_score([self.on(seed)(genome) for seed in self.seeds], self.seeds)
 
     def grow(self, genome: Genome, seed: int) -> Plant:
         """Plant of `genome` on `seed`."""
@@ -105,3 +115,18 @@ class Objective:
         if not math.isfinite(total):
             return Score(0.0, failure=f"the score is not a number: image {image}, multipliers {multipliers}")
         return Score(total, image, multipliers)
+
+
+def mean_score(scores: Sequence[Score], seeds: Sequence[int]) -> Score:
+    """Mean of the scores of one genome on `seeds`, a failure counting 0; its failure is the first, with the seed."""
+    if len(scores) == 1:
+        return scores[0]
+    kinds = dict.fromkeys(kind for score in scores for kind in score.multipliers)
+    reasons = (f"{score.failure} (seed {seed})" for score, seed in zip(scores, seeds, strict=False) if score.failure)
+    return Score(
+        sum(score.total for score in scores) / len(scores),
+        sum(score.image for score in scores) / len(scores),
+        {kind: sum(score.multipliers.get(kind, 0.0) for score in scores) / len(scores) for kind in kinds},
+        next(reasons, None),
+        all(score.drawn for score in scores),
+    )

@@ -61,10 +61,16 @@ class Progress:
         """Seconds of the search so far."""
         return self.history[-1].seconds if self.history else 0.0
 
+    @property
+    def evaluations(self) -> int:
+        """Plants grown so far."""
+        return self.history[-1].evaluations if self.history else 0
+
     def add(
-        self, stage: str, objective: Objective, genomes: NDArray[np.float64], scores: list[Score], seconds: float
-    ) -> list[Failure]:
-        """Take in a generation that ended after `seconds`; return what failed in it."""
+        self, stage: str, objective: Objective, genomes: NDArray[np.float64], scores: list[Score], seconds: float,
+        plants: int | None = None,
+    ) -> list[Failure]:  # fmt: skip
+        """Take in a generation that ended after `seconds`, with `plants`, one a score if None; return what failed."""
         failed = [(genome, score) for genome, score in zip(genomes, scores, strict=True) if score.failure is not None]
         failures = [
             Failure(str(score.failure), objective.space.decode(genome), objective.seed) for genome, score in failed
@@ -76,7 +82,7 @@ class Progress:
         self.best = max([self.best, *scores], key=lambda score: score.total)
         done, undrawn = (self.history[-1].evaluations, self.history[-1].undrawn) if self.history else (0, 0)
         drawn = [score.total for score in scores if score.drawn]
-        done, undrawn = done + len(scores), undrawn + len(scores) - len(drawn)
+        done, undrawn = done + (len(scores) if plants is None else plants), undrawn + len(scores) - len(drawn)
         mean = sum(drawn) / max(len(drawn), 1)
         self.history.append(
             Generation(len(self.history), stage, done, self.best.total, self.best.image, mean,

@@ -40,6 +40,7 @@ class GEGen:
     parallel: ClassVar[str] = "threads"
     size_parameter: ClassVar[str | None] = "internode"
     age_parameter: ClassVar[str | None] = "age"
+    family: ClassVar[Path | None] = Path(__file__).parent / "family"
 
     def __post_init__(self) -> None:
         if self.space_by not in _SPACES:

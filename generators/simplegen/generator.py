@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
+from pathlib import Path
 from typing import Any, ClassVar
 
 import numpy as np
@@ -39,6 +40,7 @@ class SimpleGen:
     parallel: ClassVar[str] = "threads"
     size_parameter: ClassVar[str | None] = "branch_len_0"
     age_parameter: ClassVar[str | None] = None
+    family: ClassVar[Path | None] = Path(__file__).parent / "family"
     presets: ClassVar[Mapping[str, Preset]] = {}
 
     def __post_init__(self) -> None:

@@ -54,6 +54,7 @@ class WeberPennGen:
     parallel: ClassVar[str] = "threads"
     size_parameter: ClassVar[str | None] = "scale"
     age_parameter: ClassVar[str | None] = None
+    family: ClassVar[Path | None] = Path(__file__).parent / "family"
 
     @cached_property
     def space(self) -> ParameterSpace:

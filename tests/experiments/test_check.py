@@ -39,6 +39,14 @@ WRONG = {
     "a b=3": "a b: cannot read '3'",
     "seed=1,2": "seed: '1,2' means several runs; add -m",
     "view._target_=os.system": "view: _target_ must start with one of",
+    "characteristics.vertices=lots": "characteristics.vertices: must be a number, a range [low, high] or {min: low,",
+    "characteristics.vertices={most: 5}": "or {min: low, max: high}, got {'most': 5}",
+    "characteristics.vertices=1": "characteristics.vertices: must be greater than or equal to 2, got 1",
+    "characteristics.triangles=20.5": "characteristics.triangles: must be a whole number, got 20.5",
+    "characteristics.height=[5,3]": "characteristics.height: min must not be above max, got 5 and 3",
+    "characteristics.width=from_image": "characteristics.width: from_image needs a height, e.g.",
+    "memory.size=0": "memory.size: must be greater than or equal to 1, got 0",
+    "memory.cuont=2": "memory.cuont: no such setting; did you mean 'count'?",
     "tracking.patience=-1": "tracking.patience: must be a number of seconds greater than 0, got -1",
 }
 
@@ -49,6 +57,18 @@ def test_wrong_setting_is_one_clear_line(setting: str) -> None:
         check(["image=tree.png", setting], sweep=False)
     assert WRONG[setting] in str(caught.value)
     assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    "wishes",
+    [
+        ["characteristics.vertices={max: 5000}", "characteristics.height=[8,12]", "characteristics.width=from_image"],
+        ["characteristics.vertices=null", "characteristics.triangles={min: 2000, max: 9000}", "asset.sides=5"],
+        ["characteristics=none", "characteristics.leaf_size={min: 0.1}"],
+    ],
+)
+def test_wishes_are_numbers_ranges_and_limits(wishes: list[str]) -> None:
+    check(["image=tree.png", *wishes], sweep=False)
 
 
 def test_picture_must_be_given() -> None:

@@ -44,6 +44,7 @@ class Growing:
     parallel: str = "threads"
     size_parameter: str | None = None
     age_parameter: str | None = "age"
+    family: Path | None = None
     presets: ClassVar[Mapping[str, Preset]] = {}
 
     @property

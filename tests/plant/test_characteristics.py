@@ -1,12 +1,13 @@
 from __future__ import annotations
 
 import math
+import pickle
 
 import numpy as np
 import pytest
 
-from treefit.plant import Plant
-from treefit.plant.characteristics import MEASURES, Characteristics, ratio
+from treefit.plant import Budget, Plant
+from treefit.plant.characteristics import MEASURES, Characteristics, OfHeight
 from treefit.plant.extent import extent_of
 
 
@@ -42,17 +43,55 @@ def test_multipliers_are_smaller_by_larger() -> None:
     assert Characteristics(vertices=None).multipliers(pole()) == {}
 
 
-def test_ratio_of_nothing_to_nothing_is_one() -> None:
-    assert ratio(0, 0) == 1
-    assert ratio(0, 3) == 0
-    assert ratio(3, 2) == ratio(2, 3) == pytest.approx(2 / 3)
+def test_inside_a_range_the_multiplier_is_one_outside_that_of_the_nearest_bound() -> None:
+    for wish, share in (([2, 9], 1), ([4, 9], 0.5), ({"max": 5}, 1), ({"min": 8}, 0.25), ({"max": 2}, 1)):
+        assert Characteristics(vertices=wish).multipliers(pole()) == {"vertices": share}  # type: ignore[arg-type]
+    wishes = Characteristics(None, height=(1.0, 2.0), width={"max": 0.25}, leaf_size=(0.25, 1.0))
+    assert wishes.multipliers(pole()) == pytest.approx({"height": 0.5, "width": 0.5, "leaf_size": 1})
+
+
+@pytest.mark.parametrize(
+    ("height", "width"),
+    [(4.0, 0.4 / 0.5), (2.0, 0.2 / 0.5), ((3.0, 9.0), 0.4 / 0.5), ((1.0, 3.0), 0.3 / 0.5), ((5.0, 6.0), 0.5 / 0.5)],
+)
+def test_a_width_from_the_picture_is_that_of_the_nearest_wanted_height(height: object, width: float) -> None:
+    wishes = Characteristics(None, height=height, width="from_image").for_picture(0.1)  # type: ignore[arg-type]
+    assert wishes.width == OfHeight(0.1)
+    assert wishes.multipliers(pole())["width"] == pytest.approx(width)
+    assert wishes.for_picture(0.7) == wishes
+    assert pickle.loads(pickle.dumps(wishes)).multipliers(pole()) == wishes.multipliers(pole())
+
+
+def test_a_width_from_the_picture_needs_a_height() -> None:
+    with pytest.raises(ValueError, match="from_image needs a height"):
+        Characteristics(width="from_image")
+    with pytest.raises(ValueError, match="must be a number"):
+        Characteristics(height=3.0, width="from_picture")  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize(
+    ("wishes", "budget"),
+    [
+        (Characteristics(), Budget(12000, 24000)),
+        (Characteristics(vertices=None), Budget()),
+        (Characteristics(vertices={"max": 5000}), Budget(20000, 40000)),
+        (Characteristics(vertices=(10, 20)), Budget(100, 200)),
+        (Characteristics(vertices={"min": 500}), Budget()),
+        (Characteristics(vertices=None, triangles={"max": 7000}), Budget(4000, 14000)),
+        (Characteristics(vertices={"max": 500}, triangles={"max": 7000}), Budget(2000, 4000)),
+    ],
+)
+def test_a_plant_may_grow_to_four_times_the_most_that_is_wanted(wishes: Characteristics, budget: Budget) -> None:
+    assert wishes.budget == budget
 
 
 def test_only_wishes_in_metres_see_the_size() -> None:
-    assert not Characteristics().sees_size
+    assert not Characteristics(triangles={"max": 900}).sees_size
     assert Characteristics(height=5.0).sees_size
 
 
 def test_a_wish_out_of_range_is_refused() -> None:
     with pytest.raises(ValueError, match="greater than 0"):
         Characteristics(height=-1.0)
+    with pytest.raises(ValueError, match="whole number"):
+        Characteristics(vertices=2.5)

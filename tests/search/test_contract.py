@@ -7,14 +7,33 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from treefit.search import CMAES, Hints, Optimizer, RandomSearch, Strategy, TreeGA
+from treefit.search import (
+    CMAES,
+    LSHADE,
+    DifferentialEvolution,
+    Hints,
+    Optimizer,
+    PyCMA,
+    RandomSearch,
+    Strategy,
+    TreeGA,
+)
 
 STRATEGIES: dict[str, Strategy] = {
     "tree_ga": TreeGA(evaluations=1500, population=20, start_population=30, generations=10),
     "uniform": TreeGA(evaluations=1500, population=20, start_population=30, generations=10, crossover="uniform"),
+    "authors": TreeGA(
+        evaluations=1500, population=20, start_population=25, generations=10, start_tries=10, fitness_growth=0.1,
+        fitness_least=1e-4, crossover="uniform", mutation_always=4, mutation_genes=0.15, mutation_count="uniform",
+        rate_floor=0.05, tries=1,
+    ),
+    "ga": TreeGA(evaluations=1500, population=40, start_population=40, depth=1, guided=False, tries=1),
+    "lshade": LSHADE(evaluations=900, population=30),
+    "cma": PyCMA(evaluations=480, population=16),
+    "de": DifferentialEvolution(evaluations=900, population=30),
     "cma_es": CMAES(evaluations=1500, start_share=0.3, generations=80, min_population=8),
     "random": RandomSearch(evaluations=1500, batch=70),
-}
+}  # fmt: skip
 KNOWN = np.random.default_rng(5).random((7, 8))
 
 
@@ -31,7 +50,11 @@ def strategy(request: pytest.FixtureRequest) -> Strategy:
 
 
 def hints(known: np.ndarray | None) -> Hints | None:
-    return None if known is None else replace(Hints.none(known.shape[1]), known=known)
+    """Hints with the genomes `known`, rates and marks; none without."""
+    if known is None:
+        return None
+    rng, n = np.random.default_rng(3), known.shape[1]
+    return replace(Hints.none(n), known=known, rate=rng.random(n), quality=rng.normal(size=(n, 5)))
 
 
 def hill(genomes: np.ndarray) -> np.ndarray:
@@ -108,7 +131,7 @@ def test_scores_at_or_under_the_floors_make_no_difference(strategy: Strategy, kn
         if rng.random() < 0.3:
             rough = strategy.begin(8, 1, hints(known))
             rough.restore(other)
-    assert lowered > 50
+    assert lowered > 50 or (floors <= 0).all()
 
 
 def test_floors_fail_before_ask(strategy: Strategy) -> None:

@@ -6,15 +6,17 @@ import numpy as np
 import pytest
 
 from tests.search.test_contract import KNOWN, hints, run
-from treefit.search import CMAES, Hints, RandomSearch, TreeGA
+from treefit.search import CMAES, LSHADE, DifferentialEvolution, Hints, RandomSearch, TreeGA
 from treefit.search.start import STEPS, Start, children, first_genomes
 
 STRATEGIES = {
     "tree_ga": TreeGA(evaluations=1500, population=20, start_population=30, generations=10),
     "cma_es": CMAES(evaluations=1500, start_share=0.3, generations=80, min_population=8),
     "random": RandomSearch(evaluations=1500, batch=120),
+    "lshade": LSHADE(evaluations=1500, population=120),
+    "de": DifferentialEvolution(evaluations=1500, population=120),
 }
-ASKS_OF_THE_START = {"tree_ga": 1, "cma_es": 5, "random": 1}
+ASKS_OF_THE_START = {"tree_ga": 1, "cma_es": 5, "random": 1, "lshade": 1, "de": 1}
 
 
 def begin(name: str, start: Start, known: np.ndarray | None = KNOWN, seed: int = 1) -> np.ndarray:

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from treefit.asset.feather import Feather, frond, tuft
 from treefit.plant import LEAF_SHAPES, LeafShape, Look
+from treefit.plant.look import leaf_shape_of
 
 Outline = Literal["auto", LeafShape]
 
@@ -38,9 +39,7 @@ class Card:
 
 def outline_of(wanted: Outline, look: Look | None) -> LeafShape:
     """Return the outline that is `wanted`; "auto" is that of the plant's look, "broad" when it has none."""
-    if wanted != "auto":
-        return wanted
-    return "broad" if look is None or look.leaf_shape is None else cast(LeafShape, look.leaf_shape)
+    return cast(LeafShape, leaf_shape_of(wanted, look))
 
 
 def leaf_card(shape: LeafShape, fold: float = 0.0) -> Card:

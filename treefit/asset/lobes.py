@@ -8,12 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from treefit.asset.stems import Stems, narrowing
-from treefit.plant import Look
-
-CORNERS = 4  # a lobe: crest, flank, hollow, flank
-SHALLOWEST = 0.02  # depth as a share of the radius under which a stem is round
-MOST = 24  # lobes; more would be bark
-FEWEST_SIDES = 5  # of the thickest stem for which lobes are worth their corners
+from treefit.plant.corners import LobedStems
 
 Floats = NDArray[np.float64]
 
@@ -27,11 +22,6 @@ class Lobes:
     stem: NDArray[np.bool_]  # (s,) the stems that have them
     loss: Floats  # (r,) loss of radius * depth per metre
 
-    def corners(self, sides: NDArray[np.int64]) -> NDArray[np.int64]:
-        """Corners (s,) of the rings: whole numbers a lobe where there are lobes, else `sides` (s,)."""
-        lobed = self.count * np.maximum(CORNERS, -(-sides // self.count))
-        return np.where(self.stem, lobed, sides)
-
     def swell(self, ring: NDArray[np.int64], angle: Floats) -> tuple[Floats, Floats, Floats]:
         """Factor of the radius at corners (c,); their normal's share against the turn and along the stem."""
         wave, slope = np.sin(self.count * angle), self.count * np.cos(self.count * angle)
@@ -39,17 +29,9 @@ class Lobes:
         return factor, self.depth[ring] * slope / factor, self.loss[ring] * wave
 
 
-def lobes_of(look: Look | None, stems: Stems, sides: int) -> Lobes | None:
-    """Return the lobes of the stems of level 0, None when there are none to be seen at `sides` corners."""
-    if look is None or not 0 < look.lobes <= MOST or look.lobe_depth <= SHALLOWEST or sides < FEWEST_SIDES:
+def lobes_of(stems: Stems, found: LobedStems | None) -> Lobes | None:
+    """Return the lobes of the stems that were `found` to have them, None when none was."""
+    if found is None:
         return None
-    trunk = stems.level == 0
-    ring = np.repeat(trunk, np.diff(stems.first))
-    if not ring.any():
-        return None
-    height = stems.centre[:, 2]
-    low, high = height[ring].min(), height[ring].max()
-    depth = look.lobe_depth * (1 - np.clip((height - low) / max(high - low, 1e-12), 0, 1))
-    stem = trunk & (depth[stems.first[:-1]] > SHALLOWEST)
-    depth = np.where(np.repeat(stem, np.diff(stems.first)), depth, 0.0)
-    return Lobes(look.lobes, depth, stem, narrowing(stems.first, stems.along, stems.radius * depth))
+    loss = narrowing(stems.first, stems.along, stems.radius * found.depth)
+    return Lobes(found.count, found.depth, found.stem, loss)

@@ -11,6 +11,7 @@ from treefit.asset.leaf_outline import leaf_card
 from treefit.asset.lobes import Lobes, lobes_of
 from treefit.asset.stems import Stems, stems_of
 from treefit.plant import LeafShape, Plant
+from treefit.plant.corners import corners_of, lobed_stems
 
 Floats = NDArray[np.float32]
 Ints = NDArray[np.int32]
@@ -38,9 +39,8 @@ def branch_meshes(plant: Plant, sides: int = 8) -> dict[str, Mesh]:
     if len(stems.level) == 0:
         return {}
     levels = {"trunk": stems.level == 0, "branches": stems.level > 0}
-    lobes, sides_of = lobes_of(plant.look, stems, sides), _sides(stems, sides)
-    if lobes is not None:
-        sides_of = lobes.corners(sides_of)
+    lobed = lobed_stems(stems, plant.look, sides)
+    lobes, sides_of = lobes_of(stems, lobed), corners_of(stems, lobed, sides)
     return {name: _tubes(stems, chosen, sides_of, lobes) for name, chosen in levels.items() if chosen.any()}
 
 
@@ -63,13 +63,6 @@ def leaf_mesh(plant: Plant, shape: LeafShape = "broad", fold: float = 0.0) -> Me
         _unit(normals.reshape(-1, 3)),
         np.tile(card.uv, (k, 1)),
     )
-
-
-def _sides(stems: Stems, sides: int) -> NDArray[np.int64]:
-    """Corners of the rings of each stem (s,), by the root of its thickness, at least 3."""
-    thickest = np.maximum.reduceat(stems.radius, stems.first[:-1])
-    wanted = np.round(sides * np.sqrt(thickest / thickest.max()))
-    return np.asarray(np.clip(wanted, min(4, sides), sides), dtype=np.int64)
 
 
 def _tubes(stems: Stems, chosen: NDArray[np.bool_], sides_of: NDArray[np.int64], lobes: Lobes | None) -> Mesh:

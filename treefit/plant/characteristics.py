@@ -3,47 +3,131 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
+from dataclasses import dataclass as plain_dataclass
+from dataclasses import replace
+from functools import cached_property, partial
+from typing import Annotated, Literal
 
 import numpy as np
 from numba import njit
-from pydantic import ConfigDict, Field
+from pydantic import AfterValidator, ConfigDict, Field, PlainValidator, ValidationInfo, field_validator
 from pydantic.dataclasses import dataclass
 
+from treefit.plant.bounds import Bounds, Wish, bounds_of, share_within
 from treefit.plant.extent import extent_of
+from treefit.plant.generator import Budget
 from treefit.plant.plant import Plant
+from treefit.plant.triangles import OUTLINE, SIDES, budget_of, check_outline, triangles
 
 VOXELS = 16  # voxels in the height of a plant, by which the volume of its crown is measured
+OVER = 4  # times the wanted count at which a plant is cut: its multiplier would be under a quarter
+
+
+@plain_dataclass(frozen=True)
+class OfHeight:
+    """Wanted width as a share of the height: that of the plant, or of the nearest wanted one when it has none."""
+
+    share: float
+
+
+def _number(value: object) -> Bounds | None:
+    return None if value is None else bounds_of(value)
+
+
+def _count(value: object, least: float) -> Bounds | None:
+    return None if value is None else bounds_of(value, whole=True, least=least)
+
+
+def _width(value: object) -> Bounds | OfHeight | str | None:
+    return value if value == "from_image" or isinstance(value, OfHeight) else _number(value)
+
+
+Number = Annotated[Wish | Bounds | None, PlainValidator(_number)]
+Width = Annotated[Wish | Bounds | OfHeight | Literal["from_image"] | None, PlainValidator(_width)]
+Vertices = Annotated[Wish | Bounds | None, PlainValidator(partial(_count, least=2))]
+Triangles = Annotated[Wish | Bounds | None, PlainValidator(partial(_count, least=8))]
 
 
 @dataclass(frozen=True, config=ConfigDict(extra="forbid"))
 class Characteristics:
-    """Wanted values; None leaves a characteristic out."""
+    """Wanted values, ranges or limits; None leaves a characteristic out.
 
-    vertices: int | None = Field(default=3000, ge=2)
-    height: float | None = Field(default=None, gt=0)  # m
-    width: float | None = Field(default=None, gt=0)  # m, seen from the front
-    branch_density: float | None = Field(default=None, gt=0)  # m3 of wood in a m3 of crown
-    leaf_density: float | None = Field(default=None, gt=0)  # m2 of leaf in a m3 of crown
-    leaf_size: float | None = Field(default=None, gt=0)  # m, mean length
+    `width` "from_image" is the width that the tree in the picture has when it is as high as `height` says.
+    `sides` and `leaf_outline` are those of the mesh whose triangles are counted, as in AssetSettings.
+    """
+
+    vertices: Vertices = Bounds(3000, 3000)
+    triangles: Triangles = None
+    height: Number = None  # m
+    width: Width = None  # m, seen from the front
+    branch_density: Number = None  # m3 of wood in a m3 of crown
+    leaf_density: Number = None  # m2 of leaf in a m3 of crown
+    leaf_size: Number = None  # m, mean length
+    sides: int = Field(default=SIDES, ge=3, le=32)
+    leaf_outline: Annotated[str, AfterValidator(check_outline)] = OUTLINE
+
+    @field_validator("width")
+    @classmethod
+    def _has_height(cls, width: Width, info: ValidationInfo) -> Width:
+        if (width == "from_image" or isinstance(width, OfHeight)) and info.data.get("height") is None:
+            raise ValueError("from_image needs a height, e.g. characteristics.height=12")
+        return width
+
+    @cached_property
+    def bounds(self) -> dict[str, Bounds]:
+        """Wanted numbers by name, those that are set; without a width that is relative to the height."""
+        return {name: wish for name, wish in vars(self).items() if isinstance(wish, Bounds)}
 
     @property
-    def wanted(self) -> dict[str, float]:
-        """Wanted values by name, those that are set."""
-        return {name: value for name, value in vars(self).items() if name in MEASURES and value is not None}
+    def wanted(self) -> dict[str, str]:
+        """What is wished for, in words, by name: "at most 5000"."""
+        relative = {} if self.width is None or "width" in self.bounds else {"width": "from_image"}
+        return {name: str(wish) for name, wish in self.bounds.items()} | relative
 
     @property
     def sees_size(self) -> bool:
         """Whether the size in metres matters to any of them."""
-        return bool(self.wanted.keys() - {"vertices"})
+        return bool(self.bounds.keys() - {"vertices", "triangles"})
+
+    @cached_property
+    def budget(self) -> Budget:
+        """Counts at which a plant is so far over what is wanted that it need not be grown to its end."""
+        budget = Budget()
+        wanted = self.bounds.get("vertices")
+        if wanted is not None and wanted.bounded:
+            most = int(OVER * wanted.high)
+            budget = Budget(max(most, 100), max(2 * most, 200))
+        wanted = self.bounds.get("triangles")
+        if wanted is not None and wanted.bounded:
+            other = budget_of(OVER * wanted.high, self.sides, self.leaf_outline)
+            budget = Budget(min(budget.vertices, other.vertices), min(budget.leaves, other.leaves))
+        return budget
+
+    def for_picture(self, share: float) -> Characteristics:
+        """Return the same wishes for a picture whose tree is `share` of its height wide."""
+        return replace(self, width=OfHeight(share)) if self.width == "from_image" else self
 
     def multipliers(self, plant: Plant) -> dict[str, float]:
-        """C_mul = min(C_model, C_reference) / max(C_model, C_reference) by name, for those that are set."""
-        return {name: ratio(MEASURES[name](plant), wanted) for name, wanted in self.wanted.items()}
+        """C_mul = min(C_model, C_reference) / max(C_model, C_reference) by name, for those that are set.
 
+        C_reference is the wanted number that is nearest to C_model; so within a range it is 1.
+        """
+        return {name: share_within(measure(plant), low, high) for name, measure, low, high in self._measures}
 
-def ratio(one: float, two: float) -> float:
-    """Smaller by larger of two numbers that are not negative; 1 when equal."""
-    return 1.0 if one == two else min(one, two) / max(one, two)
+    @cached_property
+    def _measures(self) -> list[tuple[str, Callable[[Plant], float], float, float]]:
+        """Name, measure and bounds of what is set."""
+        if self.width == "from_image":
+            raise ValueError("characteristics.width: from_image is not known before there is a picture")
+        measures: dict[str, Callable[[Plant], float]] = {
+            **MEASURES, "triangles": partial(triangles, sides=self.sides, outline=self.leaf_outline),
+        }  # fmt: skip
+        found = [(name, measures[name], wish.low, wish.high) for name, wish in self.bounds.items()]
+        if isinstance(self.width, OfHeight):
+            relative = partial(width_by_height, share=self.width.share, height=self.bounds["height"])
+            found.append(("width", relative, 1, 1))
+        return found
 
 
 def vertices(plant: Plant) -> float:
@@ -61,6 +145,12 @@ def width(plant: Plant) -> float:
     return extent_of(plant).width
 
 
+def width_by_height(plant: Plant, share: float, height: Bounds) -> float:
+    """Width by what it is at `share` of the height, or of the nearest one in the bounds `height`."""
+    extent = extent_of(plant)
+    return extent.width / (share * min(max(extent.height, height.low), height.high))
+
+
 def branch_density(plant: Plant) -> float:
     """Volume of the wood by the volume of the crown."""
     return wood_volume(plant) / crown_volume(plant)
@@ -76,8 +166,8 @@ def leaf_size(plant: Plant) -> float:
     return float(plant.leaf_size[:, 0].mean()) if plant.n_leaves else 0.0
 
 
-MEASURES = {
-    "vertices": vertices, "height": height, "width": width, "branch_density": branch_density,
+MEASURES: dict[str, Callable[[Plant], float]] = {
+    "vertices": vertices, "triangles": triangles, "height": height, "width": width, "branch_density": branch_density,
     "leaf_density": leaf_density, "leaf_size": leaf_size,
 }  # fmt: skip
 """How each characteristic is measured, by name."""

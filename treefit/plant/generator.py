@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Protocol
 
 from treefit.plant.parameters import ParameterSpace, Values
@@ -61,6 +62,10 @@ class Generator(Protocol):
     @property
     def presets(self) -> Mapping[str, Preset]:
         """Plants of this generator by name; empty when there are none."""
+
+    @property
+    def family(self) -> Path | None:
+        """Folder of the files that task=statistics has written for this generator; None when there is none."""
 
     def __call__(self, values: Values, seed: int, budget: Budget) -> Plant:
         """Plant grown from `values` by name; every draw comes from streams keyed by `seed`."""

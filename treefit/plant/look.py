@@ -23,6 +23,13 @@ class Look:
     leaf_shape: str | None = None  # one of LEAF_SHAPES, None when the generator has no wish
 
 
+def leaf_shape_of(wanted: str, look: Look | None) -> str:
+    """Return the leaf shape that is `wanted`; "auto" is that of the look, "broad" when it has none."""
+    if wanted != "auto":
+        return wanted
+    return "broad" if look is None or look.leaf_shape is None else look.leaf_shape
+
+
 def check_look(look: Look) -> None:
     """Raise ValueError with the first value of `look` that is out of its range."""
     if look.lobes < 0:

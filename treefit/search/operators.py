@@ -19,11 +19,14 @@ def fittest(genomes: Genomes, scores: Scores, count: int) -> tuple[Genomes, Scor
 
 
 def pick_parents(
-    scores: Scores, count: int, rng: np.random.Generator
+    scores: Scores, count: int, rng: np.random.Generator, power: float = 1.0, least: float = 0.0
 ) -> np.ndarray[tuple[int, ...], np.dtype[np.int64]]:
-    """Pairs of indices (count, 2) of different parents, chosen in proportion to their score."""
-    fitness = np.maximum(scores, 0.0) + 1e-9
-    share = fitness / fitness.sum()
+    """Pairs of indices (count, 2) of different parents, chosen in proportion to their fitness, score^power + least.
+
+    All are alike where every fitness is 0.
+    """
+    fitness = np.maximum(scores, 0.0) ** power + least
+    share = fitness / fitness.sum() if fitness.any() else np.full(len(scores), 1 / len(scores))
     first = rng.choice(len(scores), size=count, p=share)
     second = rng.choice(len(scores), size=count, p=share)
     second = np.where(second == first, (second + 1 + rng.integers(len(scores) - 1, size=count)) % len(scores), second)
@@ -40,20 +43,6 @@ def one_dot_crossover(first: Genomes, second: Genomes, rng: np.random.Generator)
 def uniform_crossover(first: Genomes, second: Genomes, rng: np.random.Generator) -> Genomes:
     """Children (m, n): every gene from either parent."""
     return np.where(rng.random(first.shape) < 0.5, first, second)
-
-
-def mutate(genomes: Genomes, chance: float, share: float, step: float, rng: np.random.Generator) -> Genomes:
-    """Change n * `share` genes (at least one) of a genome with probability `chance`.
-
-    Half of the changed genes are drawn anew in [0, 1], the other half moved by a normal step of size `step`.
-    """
-    m, n = genomes.shape
-    count = max(1, round(n * share))
-    genes = np.argsort(rng.random((m, n)), axis=1) < count
-    mutated = genes & (rng.random((m, 1)) < chance)
-    moved = np.clip(genomes + step * rng.standard_normal((m, n)), 0.0, 1.0)
-    drawn = rng.random((m, n))
-    return np.where(mutated, np.where(rng.random((m, n)) < 0.5, drawn, moved), genomes)
 
 
 def mirrored(places: Genomes) -> Genomes:

@@ -19,7 +19,7 @@ class RandomSearch:
 
     evaluations: int = Field(default=50_000, ge=1)
     batch: int = Field(default=400, ge=1)
-    start: Start = "mixed"
+    start: Start = "random"
 
     def begin(self, n_genes: int, seed: int, hints: Hints | None = None) -> RandomRun:
         """Optimizer for genomes of `n_genes` genes."""

@@ -7,6 +7,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from treefit.search.hints import Hints
 from treefit.search.operators import mirrored, one_dot_crossover
 from treefit.search.optimizer import Genomes
 
@@ -17,12 +18,14 @@ STEPS = (0.02, 0.05, 0.1)
 """Standard deviations of the genes of a child, every step as often: some children are near by, others far off."""
 
 
-def first_genomes(start: Start, known: Genomes, places: NDArray[np.int64], rng: np.random.Generator) -> Genomes:
+def first_genomes(
+    start: Start, known: Genomes, places: NDArray[np.int64], rng: np.random.Generator, uniform: Genomes | None = None
+) -> Genomes:
     """Genomes (m, n) at `places` (m,) of a first population, which the genomes `known` (k, n) lead, unless `random`.
 
-    Without known ones every start is `random`, byte by byte.
+    `uniform` (m, n) are taken in place of uniform ones. Without known ones every start is `random`, byte by byte.
     """
-    genomes = rng.random((len(places), known.shape[1]))
+    genomes = rng.random((len(places), known.shape[1])) if uniform is None else uniform.copy()
     if start == "random" or not len(known):
         return genomes
     fresh = np.flatnonzero(places >= len(known))
@@ -30,6 +33,14 @@ def first_genomes(start: Start, known: Genomes, places: NDArray[np.int64], rng: 
     genomes[bred] = children(known, len(bred), rng)
     genomes[places < len(known)] = known[places[places < len(known)]]
     return genomes
+
+
+def promising(hints: Hints, count: int, tries: int, rng: np.random.Generator) -> Genomes:
+    """Genomes (count, n), each that with the highest quality Q of `tries` uniform ones (sec. 5)."""
+    drawn = rng.random((count * tries, len(hints)))
+    best = hints.mark(drawn).reshape(count, tries).argmax(axis=1) if tries > 1 else np.zeros(count, np.intp)
+    chosen: Genomes = drawn[best + tries * np.arange(count)]
+    return chosen
 
 
 def children(known: Genomes, count: int, rng: np.random.Generator) -> Genomes:

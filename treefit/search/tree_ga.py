@@ -1,11 +1,14 @@
 """The paper's tree of elementary genetic algorithms (sec. 5, fig. 3), one level at a time.
 
-Leaves start from random or known genomes, every other node from the fittest of its two children. All nodes of a level
+Its settings as they stand are the paper's; others are those of its authors' program, or of a plain genetic algorithm.
+Leaves start from random genomes, every other node from the fittest of its two children. All nodes of a level
 form one (t, p, n) array, so that an ask is one large batch; each node has its own random stream. Kept of a population
 are its survivors, the better half: only they have children, and no other can be in the better half of two joined ones.
 """
 
 from __future__ import annotations
+
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,24 +17,33 @@ from pydantic.dataclasses import dataclass
 
 from treefit.search.archive import Archive
 from treefit.search.hints import Hints, hints_for
-from treefit.search.operators import fittest, mutate, one_dot_crossover, pick_parents, uniform_crossover, without_twins
+from treefit.search.mutation import guide, mutate
+from treefit.search.operators import fittest, one_dot_crossover, pick_parents, uniform_crossover, without_twins
 from treefit.search.optimizer import Genomes, Scores, State
-from treefit.search.start import Start, first_genomes
+from treefit.search.start import Start, first_genomes, promising
 
 
 @dataclass(frozen=True, config=ConfigDict(extra="forbid"))
 class TreeGA:
-    """Settings of the tree of elementary GAs."""
+    """Settings of the tree of elementary GAs; a `depth` of 0 follows from the budget and the wanted generations."""
 
     evaluations: int = Field(default=50_000, ge=1)
     population: int = Field(default=100, ge=4)
     start_population: int = Field(default=200, ge=4)
     generations: int = Field(default=75, ge=1)
-    mutation_chance: float = Field(default=0.9, ge=0, le=1)
-    mutation_genes: float = Field(default=0.05, gt=0, le=1)
-    mutation_step: float = Field(default=0.1, gt=0, le=1)
-    crossover: str = Field(default="one_dot", pattern="^(one_dot|uniform)$")
-    start: Start = "mixed"
+    depth: int = Field(default=0, ge=0, le=16)
+    start: Start = "random"
+    start_tries: int = Field(default=1, ge=1)
+    fitness_growth: float = Field(default=0.0, ge=0)
+    fitness_least: float = Field(default=0.0, ge=0)
+    crossover: Literal["one_dot", "uniform"] = "one_dot"
+    mutation_chance: float = Field(default=0.5, ge=0, le=1)
+    mutation_always: int = Field(default=0, ge=0)
+    mutation_genes: float = Field(default=0.1, gt=0, le=1)
+    mutation_count: Literal["constant", "uniform"] = "constant"
+    guided: bool = True
+    rate_floor: float = Field(default=0.0, ge=0)
+    tries: int = Field(default=500, ge=1)
 
     def begin(self, n_genes: int, seed: int, hints: Hints | None = None) -> TreeGASearch:
         """Optimizer for genomes of `n_genes` genes."""
@@ -43,7 +55,9 @@ class TreeGASearch:
 
     def __init__(self, settings: TreeGA, n_genes: int, seed: int, hints: Hints | None) -> None:
         self.settings, self.n_genes, self.seed = settings, n_genes, seed
-        self.known = hints_for(n_genes, hints).known
+        self.hints, nothing = hints_for(n_genes, hints), Hints.none(n_genes)
+        led = self.hints if settings.guided else nothing
+        self.guide = guide(led.rate, led.quality, settings.rate_floor, settings.tries)
         self.depth, self.survivors = _depth(settings), settings.population - settings.population // 2
         self.archive = Archive(n_genes)
         self.level, self.generation, self.told = self.depth - 1, 0, 0
@@ -97,7 +111,7 @@ class TreeGASearch:
         self.generation += 1
         if self.level > 0 and self.generation > self._generations():  # the next level: of two populations the fittest
             self._keep_fittest(self.genomes.reshape(nodes // 2, -1, n), self.scores.reshape(nodes // 2, -1))
-            self.level, self.generation = self.level - 1, 0
+            self.level, self.generation = self.level - 1, 1
 
     def best(self, count: int) -> tuple[Genomes, Scores]:
         """Distinct best of the whole run."""
@@ -119,16 +133,29 @@ class TreeGASearch:
         self._asked = None
 
     def _first(self, node: int, rng: np.random.Generator) -> Genomes:
-        places = node + len(self.genomes) * np.arange(self.settings.start_population)  # deals the known ones out
-        return first_genomes(self.settings.start, self.known, places, rng)
+        s = self.settings
+        places = node + len(self.genomes) * np.arange(s.start_population)  # deals the known ones out
+        uniform = promising(self.hints, s.start_population, s.start_tries, rng)
+        return first_genomes(s.start, self.hints.known, places, rng, uniform)
 
     def _children(self, node: int, rng: np.random.Generator) -> Genomes:
         s, genomes = self.settings, self.genomes[node]
-        parents = pick_parents(self.scores[node], s.population // 2, rng)
+        power = 1 + s.fitness_growth * (self.generation - 1)
+        parents = pick_parents(self.scores[node], s.population // 2, rng, power, s.fitness_least)
         cross = one_dot_crossover if s.crossover == "one_dot" else uniform_crossover
         children = cross(genomes[parents[:, 0]], genomes[parents[:, 1]], rng)
-        mutants = mutate(children, s.mutation_chance, s.mutation_genes, s.mutation_step, rng)
-        return without_twins(mutants, genomes, lambda twins: mutate(twins, 1.0, s.mutation_genes, s.mutation_step, rng))
+        chance = 1.0 if self.generation <= s.mutation_always else s.mutation_chance
+        mutants = self._mutated(children, chance, rng)
+        return without_twins(mutants, genomes, lambda twins: self._mutated(twins, 1.0, rng))
+
+    def _mutated(self, genomes: Genomes, chance: float, rng: np.random.Generator) -> Genomes:
+        """Each with probability `chance` changed in a constant count of genes, or one that is drawn."""
+        m, wanted = len(genomes), self.n_genes * self.settings.mutation_genes
+        if self.settings.mutation_count == "constant":
+            counts = np.full(m, max(1, round(wanted)))
+        else:
+            counts = (1 + wanted * rng.random(m)).astype(np.intp)
+        return mutate(genomes, np.where(rng.random(m) < chance, counts, 0), self.guide, rng)
 
     def _keep_fittest(self, genomes: NDArray[np.float64], scores: NDArray[np.float64]) -> None:
         """Let the fittest of each of the populations (t, p, n) survive."""
@@ -144,7 +171,9 @@ class TreeGASearch:
 
 
 def _depth(settings: TreeGA) -> int:
-    """Depth of the tree at which every node has at most about the wanted generations."""
+    """Depth of the tree, the wanted one or that at which every node has at most about the wanted generations."""
+    if settings.depth:
+        return settings.depth
     calls = settings.generations * (settings.population // 2)
     depth, total = 1, settings.start_population + calls
     while total < settings.evaluations:

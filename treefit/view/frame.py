@@ -53,6 +53,11 @@ class Placing:
         """Farthest content from the trunk base, in tree heights."""
         return max(self.base - self.left, self.right - self.base) / (self.bottom - self.top)
 
+    @property
+    def width(self) -> float:
+        """Width of the content in tree heights."""
+        return (self.right - self.left) / (self.bottom - self.top)
+
 
 def place(mask: Mask) -> Placing:
     """Find the tree in a mask (h, w); ValueError when the mask is empty."""

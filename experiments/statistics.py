@@ -1,0 +1,117 @@
+"""Task statistics: what holds for all searches with a generator (sec. 5), counted beforehand."""
+
+from __future__ import annotations
+
+import json
+import time
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import Any, cast
+
+import numpy as np
+from hydra.core.hydra_config import HydraConfig
+from omegaconf import DictConfig
+from PIL import Image
+
+from experiments.build import build
+from experiments.errors import UserError
+from experiments.numbers import rounded
+from experiments.run_folder import run_folder
+from experiments.settings import read_settings
+from experiments.statistics_collect import Collection
+from experiments.statistics_plots import draw_calibration, draw_marks, draw_rate
+from experiments.statistics_targets import Target, picture, targets
+from treefit.evaluation import Evaluator
+from treefit.family.calibration import Calibration, calibrate
+from treefit.family.collect import digest_of, statistics_of, thresholds
+from treefit.family.identity import fingerprint
+from treefit.family.members import Members
+from treefit.family.statistics import Mark, Statistics
+from treefit.objective import View
+from treefit.plant import Generator
+from treefit.plant.characteristics import Characteristics
+from treefit.similarity import Similarity
+
+MARKS: tuple[Mark, ...] = ("continuous", "paper")
+FIGURES = Path(__file__).parent / "figures"
+COLOURS = np.array([[255, 255, 255], [110, 70, 30], [70, 150, 60]], np.uint8)
+
+
+def run(cfg: DictConfig) -> None:
+    """Count for cfg.generator and cfg.similarity; files of the run folder make a killed run go on."""
+    started, folder, settings = time.perf_counter(), run_folder(), read_settings(cfg)
+    wanted, seed = settings.statistics, settings.seed
+    generator = cast(Generator, build(cfg.generator, "generator"))
+    if wanted.renew and generator.family is None:
+        raise UserError(f"statistics.renew: generator {generator.name!r} has no folder for statistics of its own")
+    aims = targets(wanted.targets, seed)
+    Image.fromarray(COLOURS[picture(aims)]).save(folder / "targets.png", optimize=True)
+    evaluator = cast(Evaluator, build(cfg.evaluator, "evaluator"))
+    members = _members(cfg, generator, aims)
+    collection = Collection(members, folder, digest_of(members, [aim.mask for aim in aims], seed), seed,
+                            evaluator.workers, evaluator.backend(members))  # fmt: skip
+    batches = collection.plants("pairs", wanted.plants, 0)
+    eps = thresholds(batches, wanted.share, wanted.eps)
+    moved = collection.moves(batches, eps, wanted.steps)
+    found = statistics_of(members, batches, eps, wanted.parts, moved)
+    fresh = collection.plants("pairs_fresh", wanted.fresh, 1)
+    judged = {mark: calibrate(found, fresh, mark) for mark in MARKS}
+    files = _write(found, judged, folder, folder, "statistics", "statistics")
+    if wanted.renew and generator.family is not None:
+        name = _label(generator, members.similarity)
+        files += _write(
+            found, judged, generator.family, FIGURES, f"statistics{name}", f"statistics_{generator.name}{name}"
+        )
+    facts = _facts(found, judged, time.perf_counter() - started)
+    (folder / "statistics.json").write_text(json.dumps(facts, indent=1), encoding="utf-8")
+    print(json.dumps({"files": [str(file) for file in files], **facts}), flush=True)
+
+
+def _members(cfg: DictConfig, generator: Generator, aims: Sequence[Target]) -> Members:
+    view, similarity = cast(View, build(cfg.view, "view")), cast(Similarity[Any], build(cfg.similarity, "similarity"))
+    wish = cast(Characteristics, build(cfg.characteristics, "characteristics"))
+    wishes = [wish if wish.vertices is None else replace(wish, vertices=aim.vertices) for aim in aims]
+    return Members.of([aim.mask for aim in aims], wishes, generator, view, similarity)
+
+
+def _write(
+    found: Statistics, judged: Mapping[Mark, Calibration], folder: Path, figures: Path, name: str, figure: str
+) -> list[Path]:
+    """Write the statistics to `folder` and their plots to `figures`; return the files."""
+    files = [folder / f"{name}.npz", *(figures / f"{figure}_{kind}.png" for kind in ("rate", "marks", "calibration"))]
+    found.write(files[0])
+    draw_rate(found, files[1])
+    draw_marks(found, files[2])
+    draw_calibration(found, judged, files[3])
+    return files
+
+
+def _label(generator: Generator, similarity: object) -> str:
+    """End of a name that tells apart statistics of one generator: "" for its own option and the default similarity."""
+    hydra = HydraConfig.get()
+    choices = hydra.runtime.choices
+    changed = any(line.startswith("similarity.") for line in hydra.overrides.task)
+    parts = [choices["generator"] if choices["generator"] != generator.name else "",
+             fingerprint(similarity) if changed else choices["similarity"].replace("treefit", "")]  # fmt: skip
+    return "".join(f"_{part}" for part in parts if part)
+
+
+def _facts(found: Statistics, judged: Mapping[Mark, Calibration], seconds: float) -> dict[str, object]:
+    liveliest = np.argsort(-found.rate)[:5]
+    calibration = {
+        mark: {
+            "rank_correlation": one.rank_correlation,
+            "area": one.area,
+            "lift_1": one.lift(0.01),
+            "lift_10": one.lift(0.1),
+        }
+        for mark, one in judged.items()
+    }
+    facts = {
+        "generator": found.generator, "version": found.version, "evaluations": found.evaluations, "p0": found.p0,
+        "eps": [float(found.eps.min()), float(np.median(found.eps)), float(found.eps.max())],
+        "liveliest": {found.names[i]: float(found.rate[i]) for i in liveliest}, "calibration": calibration,
+        "seconds": seconds,
+    }  # fmt: skip
+    return cast(dict[str, object], rounded(facts, 4))
