@@ -11,8 +11,10 @@ from typing import Any, cast
 
 import numpy as np
 from hydra.core.hydra_config import HydraConfig
+from numpy.typing import NDArray
 from omegaconf import DictConfig
 from PIL import Image
+from threadpoolctl import threadpool_limits
 
 from experiments.build import build
 from experiments.errors import UserError
@@ -22,11 +24,15 @@ from experiments.settings import read_settings
 from experiments.statistics_collect import Collection
 from experiments.statistics_plots import draw_calibration, draw_marks, draw_rate
 from experiments.statistics_targets import Target, picture, targets
+from experiments.terminal import counted
 from treefit.evaluation import Evaluator
+from treefit.family.batch import Batch, genes
 from treefit.family.calibration import Calibration, calibrate
 from treefit.family.collect import digest_of, statistics_of, thresholds
+from treefit.family.guess import Guess, learn_guess
 from treefit.family.identity import fingerprint
 from treefit.family.members import Members
+from treefit.family.network import Training
 from treefit.family.statistics import Mark, Statistics
 from treefit.objective import View
 from treefit.plant import Generator
@@ -57,13 +63,16 @@ def run(cfg: DictConfig) -> None:
     found = statistics_of(members, batches, eps, wanted.parts, moved)
     fresh = collection.plants("pairs_fresh", wanted.fresh, 1)
     judged = {mark: calibrate(found, fresh, mark) for mark in MARKS}
+    guess = _guess(members, batches, seed)
     files = _write(found, judged, folder, folder, "statistics", "statistics")
+    guess.write(folder / "guess.npz")
     if wanted.renew and generator.family is not None:
         name = _label(generator, members.similarity)
         files += _write(
             found, judged, generator.family, FIGURES, f"statistics{name}", f"statistics_{generator.name}{name}"
         )
-    facts = _facts(found, judged, time.perf_counter() - started)
+        guess.write(generator.family / f"guess{_option(generator)}.npz")
+    facts = {**_facts(found, judged, time.perf_counter() - started), "guess_missed": round(guess.missed, 4)}
     (folder / "statistics.json").write_text(json.dumps(facts, indent=1), encoding="utf-8")
     print(json.dumps({"files": [str(file) for file in files], **facts}), flush=True)
 
@@ -73,6 +82,21 @@ def _members(cfg: DictConfig, generator: Generator, aims: Sequence[Target]) -> M
     wish = cast(Characteristics, build(cfg.characteristics, "characteristics"))
     wishes = [wish if wish.vertices is None else replace(wish, vertices=aim.vertices) for aim in aims]
     return Members.of([aim.mask for aim in aims], wishes, generator, view, similarity)
+
+
+def _guess(members: Members, batches: Sequence[Batch], seed: int) -> Guess:
+    """Guess learnt from the usable plants of `batches`; with one thread, so that its bytes are the same again."""
+    training = Training()
+    genomes, looks, vertices = (np.concatenate(each) for each in zip(*map(_pairs, batches), strict=True))
+    epochs = counted(range(training.epochs), "epochs of learning to guess")
+    with threadpool_limits(1, "blas"):
+        return learn_guess(members.generator, members.space, genomes, looks, vertices, seed, training, epochs)
+
+
+def _pairs(batch: Batch) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
+    """Genomes, features and counts of vertices of the usable plants of a batch."""
+    kept = batch.usable
+    return genes(batch.genomes[kept]), batch.features[kept], batch.vertices[kept]
 
 
 def _write(
@@ -90,11 +114,15 @@ def _write(
 def _label(generator: Generator, similarity: object) -> str:
     """End of a name that tells apart statistics of one generator: "" for its own option and the default similarity."""
     hydra = HydraConfig.get()
-    choices = hydra.runtime.choices
     changed = any(line.startswith("similarity.") for line in hydra.overrides.task)
-    parts = [choices["generator"] if choices["generator"] != generator.name else "",
-             fingerprint(similarity) if changed else choices["similarity"].replace("treefit", "")]  # fmt: skip
-    return "".join(f"_{part}" for part in parts if part)
+    part = fingerprint(similarity) if changed else hydra.runtime.choices["similarity"].replace("treefit", "")
+    return _option(generator) + (f"_{part}" if part else "")
+
+
+def _option(generator: Generator) -> str:
+    """End of a name that tells apart the options of one generator: "" for its own."""
+    choice = HydraConfig.get().runtime.choices["generator"]
+    return "" if choice == generator.name else f"_{choice}"
 
 
 def _facts(found: Statistics, judged: Mapping[Mark, Calibration], seconds: float) -> dict[str, object]:

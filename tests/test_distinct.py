@@ -71,7 +71,7 @@ def test_the_distance_is_halved_rather_than_candidates_left_out_and_it_is_said(
 ) -> None:
     with caplog.at_level(logging.WARNING):
         assert told(choose(line, [look(0.9, 0.0), look(0.89, 0.06), look(0.88, 0.12)], 2, WISH)) == [0.9, 0.88]
-    assert caplog.messages == ["the candidates are 0.10 apart, not 0.20: no others were within 10 % of the best score"]
+    assert caplog.messages == ["the candidates look 0.12 apart, not 0.20: no others were within 10 % of the best score"]
 
 
 @pytest.mark.parametrize("image", [0.0, 0.2])

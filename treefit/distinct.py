@@ -5,6 +5,7 @@ from __future__ import annotations
 import logging
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from itertools import combinations
 
 import numpy as np
 
@@ -90,7 +91,8 @@ def choose(objective: Objective, ranked: Sequence[Look], count: int, wish: Disti
     if len(chosen) < count:
         _log.warning("%s of %s candidates: nothing else that is different was within %.0f %% of the best score",
                      len(chosen), count, 100 * wish.within)  # fmt: skip
-    elif rule.image < wish.image:
-        _log.warning("the candidates are %.2f apart, not %.2f: no others were within %.0f %% of the best score",
-                     rule.image, wish.image, 100 * wish.within)  # fmt: skip
+    images = [one.apart(two, objective)[0] for one, two in combinations(chosen, 2)]
+    if images and min(images) < wish.image:
+        _log.warning("the candidates look %.2f apart, not %.2f: no others were within %.0f %% of the best score",
+                     min(images), wish.image, 100 * wish.within)  # fmt: skip
     return sorted(chosen, key=lambda look: -look.score.total)

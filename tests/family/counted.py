@@ -26,6 +26,6 @@ def statistics(generator: SimpleGen | None = None, **changes: object) -> Statist
     n = len(genes)
     tried, above = np.tile([50, 50], (n, 1)), np.tile([2, 8], (n, 1))
     name, version = SimpleGen.name, SimpleGen.version
-    found = Statistics(name, version, fingerprint(Mix()), genes, np.arange(n, dtype=float),
+    found = Statistics(name, version, genes, fingerprint(Mix()), np.arange(n, dtype=float),
                        np.ones(n, np.int64), tried, above, np.array([0.3, 0.4]))  # fmt: skip
     return replace(found, **changes)  # type: ignore[arg-type]

@@ -98,8 +98,9 @@ def statistics_of(
     tried, above = count(batches, eps, parts)
     whole = total(moved)
     rate, steps = whole.change / np.maximum(whole.steps, 1), whole.steps
-    names = members.generator.name, members.generator.version, fingerprint(members.similarity)
-    return Statistics(*names, tuple(describe(gene) for gene in members.space.free), rate, steps, tried, above, eps)
+    genes = tuple(describe(gene) for gene in members.space.free)
+    tied = members.generator.name, members.generator.version, genes
+    return Statistics(*tied, fingerprint(members.similarity), rate, steps, tried, above, eps)
 
 
 def digest_of(members: Members, masks: Sequence[Mask], seed: int) -> str:

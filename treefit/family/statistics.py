@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-import json
-import os
-import zipfile
-import zlib
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Literal
@@ -13,7 +10,8 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from treefit.family.identity import FamilyError, Gene, StaleError, describe, fingerprint
+from treefit.family.files import array, read_arrays, write_arrays
+from treefit.family.identity import Tied, fingerprint, fitting
 from treefit.plant import Generator, ParameterSpace
 
 Floats = NDArray[np.float64]
@@ -23,22 +21,22 @@ Mark = Literal["continuous", "paper"]
 WORST = 9.9
 """Farthest mark from 0, the authors' for a part of a gene in which nothing good was found."""
 
-FORMAT = 1
+KINDS: Mapping[str, type[np.generic]] = {
+    "rate": np.float64, "steps": np.int64, "tried": np.int64, "above": np.int64, "eps": np.float64,
+}  # fmt: skip
+"""Arrays of a file, and of what numbers they are."""
 
 
 @dataclass(frozen=True, eq=False)
-class Statistics:
-    """What was counted over many plants and targets, for one generator (name and version) and one similarity.
+class Statistics(Tied):
+    """What was counted over many plants and targets, for one generator and one similarity.
 
-    `genes`: descriptions of the n genes; `rate` (n,): V(k), mean change of the score by that of the gene; `steps` (n,):
+    `rate` (n,): V(k), mean change of the score by that of the gene; `steps` (n,):
     pairs of plants behind it; `tried`, `above` (n, k): evaluations with gene i in the j-th of k equal parts of [0, 1],
     and those of them that scored over eps; `eps` (t,): that score, target by target.
     """
 
-    generator: str
-    version: str
     similarity: str
-    genes: tuple[Gene, ...]
     rate: Floats
     steps: Counts
     tried: Counts
@@ -46,9 +44,8 @@ class Statistics:
     eps: Floats
 
     def __post_init__(self) -> None:
+        super().__post_init__()
         n = len(self.genes)
-        if any(not isinstance(gene.get("name"), str) for gene in self.genes) or len(set(self.names)) != n or n == 0:
-            raise ValueError("genes must have names that differ from each other")
         if self.rate.shape != (n,) or self.steps.shape != (n,):
             raise ValueError(f"rate and steps must be of {n} genes, got {self.rate.shape} and {self.steps.shape}")
         if (
@@ -68,11 +65,6 @@ class Statistics:
             raise ValueError("every gene must have been counted in the same evaluations")
         if self.eps.ndim != 1 or not np.isfinite(self.eps).all():
             raise ValueError("eps must be a finite number for every target")
-
-    @property
-    def names(self) -> tuple[str, ...]:
-        """Names of the genes, in order."""
-        return tuple(str(gene["name"]) for gene in self.genes)
 
     @property
     def evaluations(self) -> int:
@@ -108,52 +100,26 @@ class Statistics:
 
         StaleError when a gene had another range or kind.
         """
-        changed = self.changed(space)
-        if changed:
-            raise StaleError(f"parameter {changed[0]!r} has another range now", self.generator)
-        at = [self.names.index(name) if name in self.names else len(self.genes) for name in space.names]
+        at = self.places(space)
         rate = np.append(self.rate, self.rate.mean())
         quality = self.quality(mark)
         return rate[at], np.vstack([quality, np.zeros(quality.shape[1])])[at]
 
-    def changed(self, space: ParameterSpace) -> list[str]:
-        """Names of the genes of `space` that are described otherwise here."""
-        known = dict(zip(self.names, self.genes, strict=True))
-        return [gene.name for gene in space.free if gene.name in known and known[gene.name] != describe(gene)]
-
     def write(self, path: Path) -> None:
-        """Write an npz without pickle, at once or not at all."""
-        head = {"format": FORMAT, "generator": self.generator, "version": self.version, "similarity": self.similarity,
-                "genes": self.genes}  # fmt: skip
-        text = np.frombuffer(json.dumps(head, allow_nan=False).encode(), np.uint8)
-        path.parent.mkdir(parents=True, exist_ok=True)
-        unfinished = path.with_name(path.name + ".tmp")
-        with unfinished.open("wb") as file:
-            np.savez_compressed(file, allow_pickle=False, head=text, rate=self.rate, steps=self.steps,
-                                tried=self.tried, above=self.above, eps=self.eps)  # fmt: skip
-            file.flush()
-            os.fsync(file.fileno())
-        unfinished.replace(path)
+        """Write to `path`, at once or not at all."""
+        head = {name: getattr(self, name) for name in ("generator", "version", "similarity", "genes")}
+        write_arrays(path, head, {name: getattr(self, name) for name in KINDS})
 
     @classmethod
     def read(cls, path: Path) -> Statistics:
         """Statistics in `path`; FamilyError when the file is damaged, FileNotFoundError when there is none."""
-        try:
-            with np.load(path, allow_pickle=False) as file:
-                head: Any = json.loads(bytes(file["head"]).decode())
-                if head["format"] != FORMAT:
-                    raise ValueError(f"format {head['format']!r}, not {FORMAT}")
-                name, version, similarity = (str(head[key]) for key in ("generator", "version", "similarity"))
-                steps, tried, above = (_array(file, key, np.int64) for key in ("steps", "tried", "above"))
-                rate, eps = (_array(file, key, np.float64) for key in ("rate", "eps"))
-            genes = tuple(dict(gene) for gene in head["genes"])
-            return cls(name, version, similarity, genes, rate, steps, tried, above, eps)
-        except FileNotFoundError:
-            raise
-        except (OSError, ValueError, TypeError, KeyError, EOFError, NotImplementedError, zipfile.BadZipFile,
-                zlib.error) as error:  # fmt: skip
-            why = " ".join(str(error).split()) or type(error).__name__
-            raise FamilyError(f"statistics {path}: damaged ({why}); delete the file") from error
+        return read_arrays(path, "statistics", cls._made)
+
+    @classmethod
+    def _made(cls, head: Any, arrays: Mapping[str, NDArray[Any]]) -> Statistics:
+        numbers = {name: array(arrays, name, kind) for name, kind in KINDS.items()}
+        genes = tuple(map(dict, head["genes"]))
+        return cls(str(head["generator"]), str(head["version"]), genes, str(head["similarity"]), **numbers)
 
 
 def find_statistics(generator: Generator, similarity: object) -> Statistics | None:
@@ -165,27 +131,6 @@ def find_statistics(generator: Generator, similarity: object) -> Statistics | No
     """
     if generator.family is None:
         return None
-    found, stale = [], []
-    space, wanted = generator.space, fingerprint(similarity)
-    for path in sorted(generator.family.glob("statistics*.npz")):
-        one = Statistics.read(path)
-        if one.generator != generator.name or one.similarity != wanted:
-            continue
-        changed = one.changed(space)
-        unknown = set(space.names) - {*one.names, str(generator.size_parameter)}
-        if one.version != generator.version:
-            stale.append(f"{path.name} is of version {one.version}, the generator of {generator.version}")
-        elif changed and not unknown:
-            stale.append(f"parameter {changed[0]!r} has another range than in {path.name}")
-        elif not changed:
-            found.append((len(set(space.names) ^ set(one.names)), path.name, one))
-    if stale and not found:
-        raise StaleError(stale[0], generator.name)
-    return min(found, key=lambda candidate: candidate[:2])[2] if found else None
-
-
-def _array(file: Any, name: str, kind: type[np.generic]) -> NDArray[Any]:
-    array = file[name]
-    if array.dtype != kind:
-        raise ValueError(f"{name} must be {kind.__name__}, got {array.dtype}")
-    return np.asarray(array)
+    files = sorted(generator.family.glob("statistics*.npz"))
+    read = ((path.name, Statistics.read(path)) for path in files)
+    return fitting([each for each in read if each[1].similarity == fingerprint(similarity)], generator)

@@ -17,7 +17,7 @@ from treefit.search.gaussian import Gaussian, around, learn, rates
 from treefit.search.hints import Hints, hints_for
 from treefit.search.operators import mirrored
 from treefit.search.optimizer import Genomes, Scores, State
-from treefit.search.start import Start, first_genomes
+from treefit.search.start import Start, first_genomes, leading
 
 START_BATCH = 100
 """Genomes of one ask of the first population: each batch knows the floor of the ones before."""
@@ -29,8 +29,11 @@ class CMAES:
 
     evaluations: int = Field(default=50_000, ge=1)
     start_share: float = Field(default=0.06, ge=0, le=1)
+    start_most: int = Field(default=100_000, ge=1)
     generations: int = Field(default=900, ge=1)
     min_population: int = Field(default=24, ge=4)
+    max_population: int = Field(default=100_000, ge=4)
+    growth: float = Field(default=1.0, ge=1, le=10)
     step: float = Field(default=0.25, gt=0, le=1)
     known_step: float = Field(default=0.1, gt=0, le=1)
     converged: float = Field(default=0.005, gt=0, le=1)
@@ -47,14 +50,20 @@ class CMAESSearch:
 
     def __init__(self, settings: CMAES, n_genes: int, seed: int, hints: Hints | None) -> None:
         self.settings, self.n_genes, self.seed = settings, n_genes, seed
-        self.known = hints_for(n_genes, hints).known
-        self.first = max(1, round(settings.start_share * settings.evaluations))
-        self.population = max(settings.min_population, (settings.evaluations - self.first) // settings.generations)
-        self.archive, self.rates = Archive(n_genes), rates(n_genes, self.population)
-        self.told, self.restarts = 0, 0
+        self.known = leading(settings.start, hints_for(n_genes, hints))
+        self.first = max(1, min(round(settings.start_share * settings.evaluations), settings.start_most))
+        self.archive, self.told, self.restarts = Archive(n_genes), 0, 0
+        self.rates = rates(n_genes, self.population)
         self.gaussian: Gaussian | None = None
         self._normals: NDArray[np.float64] = np.empty((0, n_genes))
         self._asked: Genomes | None = None
+
+    @property
+    def population(self) -> int:
+        """Draws of a generation."""
+        s = self.settings
+        wanted = (s.evaluations - self.first) // s.generations
+        return round(min(max(s.min_population, wanted), s.max_population) * s.growth**self.restarts)
 
     @property
     def done(self) -> bool:
@@ -105,6 +114,7 @@ class CMAESSearch:
             self.gaussian = learn(self.gaussian, self.rates, self._normals[order])
             if np.median(self.gaussian.spread) < self.settings.converged:
                 self.restarts += 1
+                self.rates = rates(self.n_genes, self.population)
                 self.gaussian = around(self._best_known(), self.settings.restart_step)
         elif self.told >= self.first:
             led = self.settings.start != "random" and len(self.known) > 0
@@ -128,6 +138,7 @@ class CMAESSearch:
         self.archive.genomes = np.asarray(state["archive_genomes"], float)
         self.archive.scores = np.asarray(state["archive_scores"], float)
         self.told, self.restarts = (int(number) for number in state["counters"])
+        self.rates = rates(self.n_genes, self.population)
         self.gaussian, self._asked = None, None
         if "mean" in state:
             self.gaussian = Gaussian(

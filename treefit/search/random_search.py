@@ -10,7 +10,7 @@ from pydantic.dataclasses import dataclass
 from treefit.search.archive import Archive
 from treefit.search.hints import Hints, hints_for
 from treefit.search.optimizer import Genomes, Scores, State
-from treefit.search.start import Start, first_genomes
+from treefit.search.start import Start, first_genomes, leading
 
 
 @dataclass(frozen=True, config=ConfigDict(extra="forbid"))
@@ -33,7 +33,7 @@ class RandomRun:
 
     def __init__(self, settings: RandomSearch, n_genes: int, seed: int, hints: Hints | None) -> None:
         self.settings, self.n_genes, self.seed, self.told = settings, n_genes, seed, 0
-        self.known = hints_for(n_genes, hints).known
+        self.known = leading(settings.start, hints_for(n_genes, hints))
         self.archive = Archive(n_genes)
         self._asked: Genomes | None = None
 

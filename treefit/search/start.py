@@ -11,11 +11,17 @@ from treefit.search.hints import Hints
 from treefit.search.operators import mirrored, one_dot_crossover
 from treefit.search.optimizer import Genomes
 
-Start = Literal["random", "presets", "mixed"]
-"""Uniform genomes; the known ones and children of theirs; the known ones, half children and half uniform genomes."""
+Start = Literal["random", "presets", "mixed", "guess"]
+"""Uniform genomes; the known ones and children of theirs; the known ones, half children and half uniform genomes; the
+known ones, then those that the target suggests (without a suggestion as mixed)."""
 
 STEPS = (0.02, 0.05, 0.1)
 """Standard deviations of the genes of a child, every step as often: some children are near by, others far off."""
+
+
+def leading(start: Start, hints: Hints) -> Genomes:
+    """Genomes (m, n) that lead a search from the beginning."""
+    return np.concatenate([hints.known, hints.guess]) if start == "guess" else hints.known
 
 
 def first_genomes(

@@ -20,7 +20,7 @@ from treefit.search.hints import Hints, hints_for
 from treefit.search.mutation import guide, mutate
 from treefit.search.operators import fittest, one_dot_crossover, pick_parents, uniform_crossover, without_twins
 from treefit.search.optimizer import Genomes, Scores, State
-from treefit.search.start import Start, first_genomes, promising
+from treefit.search.start import Start, first_genomes, leading, promising
 
 
 @dataclass(frozen=True, config=ConfigDict(extra="forbid"))
@@ -136,7 +136,7 @@ class TreeGASearch:
         s = self.settings
         places = node + len(self.genomes) * np.arange(s.start_population)  # deals the known ones out
         uniform = promising(self.hints, s.start_population, s.start_tries, rng)
-        return first_genomes(s.start, self.hints.known, places, rng, uniform)
+        return first_genomes(s.start, leading(s.start, self.hints), places, rng, uniform)
 
     def _children(self, node: int, rng: np.random.Generator) -> Genomes:
         s, genomes = self.settings, self.genomes[node]
