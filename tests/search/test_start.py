@@ -110,5 +110,5 @@ def test_known_genomes_that_are_none_are_refused(known: np.ndarray, reason: str)
 
 @pytest.mark.parametrize("name", STRATEGIES)
 def test_another_word_for_the_start_is_refused(name: str) -> None:
-    with pytest.raises(ValueError, match="'random', 'presets' or 'mixed'"):
+    with pytest.raises(ValueError, match="'random', 'presets', 'mixed' or 'guess'"):
         type(STRATEGIES[name])(start="species")  # type: ignore[arg-type]
