@@ -25,8 +25,10 @@ def option(group: str, name: str, place: str) -> DictConfig:
 
 def strategies(wanted: Compare) -> dict[str, Strategy]:
     """Every optimiser by name, with the evaluations of the comparison."""
-    names = dict.fromkeys(wanted.optimizers + wanted.baselines)
-    return {name: _strategy(name, wanted) for name in names}
+    places = {"compare.optimizers": wanted.optimizers, "compare.baselines": wanted.baselines}
+    for name in wanted.reference:  # it need not be compared, but must be one
+        _strategy(name, wanted, "compare.reference")
+    return {name: _strategy(name, wanted, place) for place, names in places.items() for name in names}
 
 
 def generators(wanted: Compare) -> dict[str, tuple[Generator, str]]:
@@ -38,13 +40,13 @@ def generators(wanted: Compare) -> dict[str, tuple[Generator, str]]:
     return found
 
 
-def _strategy(name: str, wanted: Compare) -> Strategy:
+def _strategy(name: str, wanted: Compare, place: str) -> Strategy:
     variant = wanted.variants.get(name)
-    base, place = _base(name, variant), "compare.optimizers" if variant is None else f"compare.variants.{name}"
+    base, place = _base(name, variant), place if variant is None else f"compare.variants.{name}"
     node = option("optimizer", base, place)
     more = {key: value for key, value in (variant or {}).items() if key != "base"}
     node = cast(DictConfig, OmegaConf.merge(node, more, {"evaluations": wanted.evaluations}))
-    return cast(Strategy, build(node, place if variant else f"compare.optimizers: {name}"))
+    return cast(Strategy, build(node, place if variant else f"{place}: {name}"))
 
 
 def _base(name: str, variant: Mapping[str, Setting] | None) -> str:

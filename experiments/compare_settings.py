@@ -26,7 +26,7 @@ class Compare:
     are compared with; the stronger of those of `reference` sets the score to be reached.
     """
 
-    optimizers: Annotated[tuple[FileName, ...], Field(min_length=1)] = ("cma_es", "tree_ga", "tree_ga_authors")
+    optimizers: Annotated[tuple[FileName, ...], Field(min_length=1)] = ("treefit", "tree_ga", "tree_ga_authors")
     baselines: tuple[FileName, ...] = ()
     variants: Mapping[FileName, Mapping[str, Setting]] = field(default_factory=dict)
     generators: Annotated[tuple[FileName, ...], Field(min_length=1)] = ("simplegen",)

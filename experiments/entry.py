@@ -74,15 +74,22 @@ def _attempt(cfg: DictConfig, given: Sequence[str], folder: Path) -> tuple[int, 
             save_config(settled, folder)
         import_module(f"experiments.{settled.task}").run(settled)
     except KeyboardInterrupt:
-        go_on = f"; to go on: python run.py resume={shlex.quote(str(folder))}"
-        kept = any((folder / name).exists() for name in ("checkpoint.npz", "pairs_0000.npz"))
-        print(f"stopped{go_on if kept else ''}", file=sys.stderr)
+        print(f"stopped{how_to_go_on(folder)}", file=sys.stderr)
         sys.exit(STOPPED)
     except Exception as error:
         return _tell(error, bool(cfg.debug), folder, known_folder), one_line(error)
     finally:
         logging.captureWarnings(False)
     return DONE, ""
+
+
+def how_to_go_on(folder: Path) -> str:
+    """Words on how to go on with what is kept in `folder`, "" when nothing is."""
+    if any((folder / name).exists() for name in ("checkpoint.npz", "pairs_0000.npz")):
+        return f"; to go on: python run.py resume={shlex.quote(str(folder))}"
+    if (folder / "runs").is_dir():
+        return f"; to go on: the same command with hydra.run.dir={shlex.quote(str(folder))}"
+    return ""
 
 
 def _tell(error: Exception, debug: bool, folder: Path, known_folder: bool) -> int:

@@ -56,7 +56,8 @@ def describe_validation(error: ValidationError, place: str, known: Iterable[str]
     if first["type"] in ("missing", "missing_argument") or first["input"] is None:
         return f"{where}: must be given"
     rule = first["msg"].removeprefix("Value error, ").removeprefix("Assertion failed, ")
-    if not rule.startswith("Input should"):
+    what, should, must = rule.partition(" should ")
+    if not should or " " in what:  # a rule of ours
         return " ".join((f"{where}: {rule}" if where else rule).split())
-    rule = rule.replace("Input should", "must", 1).partition(", got ")[0].partition(", unable to")[0]
-    return f"{where}: {rule}, got {first['input']!r}"
+    must = must.partition(", got ")[0].partition(", unable to")[0].partition(" after validation")[0]
+    return f"{where}: must {must}, got {first['input']!r}"

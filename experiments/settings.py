@@ -54,7 +54,7 @@ class Candidates:
 
     count: Annotated[int, Field(ge=1, le=100)]
     min_distance: Share
-    within: Share = 0.05
+    within: Share = 0.08
     runners_up: Annotated[float, Field(ge=0, le=0.9)] = 0.1
 
 

@@ -10,15 +10,15 @@ from pathlib import Path
 from typing import Any, cast
 
 import numpy as np
-from hydra.core.hydra_config import HydraConfig
 from numpy.typing import NDArray
-from omegaconf import DictConfig
+from omegaconf import DictConfig, OmegaConf
 from PIL import Image
 from threadpoolctl import threadpool_limits
 
 from experiments.build import build
 from experiments.errors import UserError
 from experiments.numbers import rounded
+from experiments.option_names import option_name
 from experiments.run_folder import run_folder
 from experiments.settings import read_settings
 from experiments.statistics_collect import Collection
@@ -67,11 +67,11 @@ def run(cfg: DictConfig) -> None:
     files = _write(found, judged, folder, folder, "statistics", "statistics")
     guess.write(folder / "guess.npz")
     if wanted.renew and generator.family is not None:
-        name = _label(generator, members.similarity)
+        name = _label(cfg, generator)
         files += _write(
             found, judged, generator.family, FIGURES, f"statistics{name}", f"statistics_{generator.name}{name}"
         )
-        guess.write(generator.family / f"guess{_option(generator)}.npz")
+        guess.write(generator.family / f"guess{_option(cfg, generator)}.npz")
     facts = {**_facts(found, judged, time.perf_counter() - started), "guess_missed": round(guess.missed, 4)}
     (folder / "statistics.json").write_text(json.dumps(facts, indent=1), encoding="utf-8")
     print(json.dumps({"files": [str(file) for file in files], **facts}), flush=True)
@@ -111,18 +111,20 @@ def _write(
     return files
 
 
-def _label(generator: Generator, similarity: object) -> str:
+def _label(cfg: DictConfig, generator: Generator) -> str:
     """End of a name that tells apart statistics of one generator: "" for its own option and the default similarity."""
-    hydra = HydraConfig.get()
-    changed = any(line.startswith("similarity.") for line in hydra.overrides.task)
-    part = fingerprint(similarity) if changed else hydra.runtime.choices["similarity"].replace("treefit", "")
-    return _option(generator) + (f"_{part}" if part else "")
+    return _option(cfg, generator) + _part("similarity", cfg.similarity, "treefit")
 
 
-def _option(generator: Generator) -> str:
+def _option(cfg: DictConfig, generator: Generator) -> str:
     """End of a name that tells apart the options of one generator: "" for its own."""
-    choice = HydraConfig.get().runtime.choices["generator"]
-    return "" if choice == generator.name else f"_{choice}"
+    return _part("generator", cfg.generator, generator.name)
+
+
+def _part(group: str, node: DictConfig, usual: str) -> str:
+    """Part of a name: that of the option, "" for the `usual` one, a hash for settings that no option has."""
+    name = option_name(group, node) or fingerprint(OmegaConf.to_container(node, resolve=True))
+    return "" if name == usual else f"_{name}"
 
 
 def _facts(found: Statistics, judged: Mapping[Mark, Calibration], seconds: float) -> dict[str, object]:

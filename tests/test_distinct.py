@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import logging
 from dataclasses import dataclass
+from itertools import combinations
 from typing import Any
 
 import numpy as np
@@ -11,12 +12,10 @@ import pytest
 
 from generators.simplegen import SimpleGen
 from tests.conftest import blob
-from treefit.distinct import LEAST, Distinct, Look, choose, genome_distance, looks
-from treefit.evaluation import Evaluator
-from treefit.fit import Result, aim, fit
+from treefit.distinct import LEAST, Distinct, Look, choose, looks
+from treefit.fit import aim
 from treefit.objective import Objective, Score
 from treefit.plant.characteristics import Characteristics
-from treefit.search import CMAES
 from treefit.similarity import PaperSimilarity
 from treefit.view import OrthographicView
 
@@ -86,32 +85,14 @@ def test_looks_are_sorted_and_without_what_cannot_be_scored(goal: Objective) -> 
     assert told(found) == sorted((goal(genome).total for genome in genomes if goal(genome).total > 0), reverse=True)
 
 
-def searched(share: float, **changes: Any) -> Result:
-    settings: dict[str, Any] = {"candidates": 3, "runners_up": share, "other_seeds": 0, **changes}
-    return fit(blob(), SimpleGen(), optimizer=CMAES(evaluations=1000), view=OrthographicView(64),
-               similarity=PaperSimilarity(), characteristics=Characteristics(vertices=400), **settings)  # fmt: skip
-
-
-def test_runners_up_are_found_within_the_budget_apart_and_nearly_as_good(goal: Objective) -> None:
-    result = searched(0.2)
-    assert result.evaluations == 1000
-    assert {line.stage for line in result.history[-3:]} <= {"candidate 2", "candidate 3"}
-    scores = [found.score.total for found in result.candidates]
-    assert len(scores) == 3
-    assert scores == sorted(scores, reverse=True)
-    assert scores[2] >= 0.95 * scores[0]
-    apart = [genome_distance(one.genome, two.genome) for one in result.candidates for two in result.candidates
-             if one is not two]  # fmt: skip
-    assert min(apart) >= LEAST
-    assert result.history[-1].best == scores[0]
-
-
-def test_one_candidate_has_no_runner_up_and_the_whole_budget() -> None:
-    alone, none = searched(0.2, candidates=1), searched(0.0, candidates=1)
-    assert [line.stage for line in alone.history] == [line.stage for line in none.history]
-    assert alone.candidates[0].genome.tobytes() == none.candidates[0].genome.tobytes()
-
-
-def test_workers_do_not_change_runners_up() -> None:
-    serial, threads = (searched(0.2, evaluator=Evaluator(*how)) for how in (("serial",), ("threads", 2, 3)))
-    assert [one.genome.tobytes() for one in serial.candidates] == [one.genome.tobytes() for one in threads.candidates]
+def test_no_choice_ever_breaks_the_rules(line: Objective) -> None:
+    rng = np.random.default_rng(5)
+    for _ in range(200):
+        places, scores = rng.random(8).round(2), -np.sort(-rng.uniform(0.8, 0.9, 8))
+        ranked = [look(score, place) for score, place in zip(scores.tolist(), places.tolist(), strict=True)]
+        chosen = choose(line, ranked, int(rng.integers(1, 6)), WISH)
+        assert chosen[0] is ranked[0]
+        assert told(chosen) == sorted(told(chosen), reverse=True)
+        assert chosen[-1].score.total >= (1 - WISH.within) * ranked[0].score.total
+        for one, two in combinations(chosen, 2):
+            assert min(one.apart(two, line)) >= WISH.relaxed()[-1].genome >= LEAST

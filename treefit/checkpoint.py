@@ -1,18 +1,16 @@
-"""Checkpoint: plain arrays and one JSON text in an npz, written beside and renamed, so that none is ever half."""
+"""Checkpoint: plain arrays and one JSON text in an npz, with a digest of it all."""
 
 from __future__ import annotations
 
 import hashlib
 import json
-import os
-import zipfile
-import zlib
 from collections.abc import Mapping
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
+from treefit.npz import DAMAGED, write_npz
 from treefit.search.optimizer import State
 
 Meta = dict[str, object]
@@ -26,12 +24,7 @@ def write_checkpoint(path: Path, arrays: State, meta: Mapping[str, object]) -> N
     """Write `arrays` and `meta` (JSON values) to `path`; the old file stays whole until the new one is."""
     text = np.frombuffer(json.dumps(meta, allow_nan=False).encode(), np.uint8)
     whole = {"meta": text, **{f"state_{name}": np.asarray(array) for name, array in arrays.items()}}
-    unfinished = path.with_name(path.name + ".tmp")
-    with unfinished.open("wb") as file:
-        np.savez(file, allow_pickle=False, digest=_digest(whole), **whole)
-        file.flush()
-        os.fsync(file.fileno())
-    unfinished.replace(path)
+    write_npz(path, {"digest": _digest(whole), **whole})
 
 
 def read_checkpoint(path: Path) -> tuple[dict[str, NDArray[np.generic]], Meta]:
@@ -44,7 +37,7 @@ def read_checkpoint(path: Path) -> tuple[dict[str, NDArray[np.generic]], Meta]:
         meta = json.loads(bytes(whole.pop("meta")).decode())
     except FileNotFoundError:
         raise
-    except (OSError, ValueError, KeyError, EOFError, NotImplementedError, zipfile.BadZipFile, zlib.error) as error:
+    except DAMAGED as error:
         raise CheckpointError(
             f"{path}: damaged checkpoint ({type(error).__name__}); delete it to start anew"
         ) from error

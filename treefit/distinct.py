@@ -28,9 +28,9 @@ class Distinct:
     Their genomes are at least `genome` apart, as root mean square over the genes.
     """
 
-    image: float = 0.1
-    within: float = 0.05
-    genome: float = 0.06
+    image: float = 0.15
+    within: float = 0.08
+    genome: float = 0.25
 
     def relaxed(self) -> list[Distinct]:
         """The wish itself, then with half the distances again and again, but never under the least."""

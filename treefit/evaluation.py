@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
-from contextlib import contextmanager
-from typing import Any, Protocol, TypeAlias, TypeVar
+from contextlib import contextmanager, suppress
+from typing import Any, Literal, Protocol, TypeAlias, TypeVar
 
 import numpy as np
 from joblib import Parallel, cpu_count, delayed
@@ -55,7 +55,7 @@ class Evaluator:
     `kind` auto takes threads where generator and view release the GIL, processes where one of them does not.
     """
 
-    kind: str = Field(default="auto", pattern="^(auto|serial|threads|processes)$")
+    kind: Literal["auto", "serial", "threads", "processes"] = "auto"
     workers: int = Field(default=0, ge=0, le=1024)
     chunk: int = Field(default=32, ge=1)  # genomes a task, at most
 
@@ -127,10 +127,12 @@ def _score(objective: Objective, genomes: NDArray[np.float64], floors: list[floa
 def _one_by_one(
     objective: Objective, genomes: NDArray[np.float64], floors: NDArray[np.float64], reason: str
 ) -> list[Score]:
-    scores = []
-    for genome, floor in zip(genomes, floors.tolist(), strict=True):
-        try:
-            scores += Parallel(n_jobs=2, backend="loky")([delayed(objective)(genome, floor)])
-        except Exception:
-            scores.append(Score(0.0, failure=f"the worker process died ({reason})"))
-    return scores
+    return [_alone(objective, genome, floor, reason) for genome, floor in zip(genomes, floors.tolist(), strict=True)]
+
+
+def _alone(objective: Objective, genome: NDArray[np.float64], floor: float, reason: str) -> Score:
+    for _ in range(2):  # the first time the dead may still be on their way out, and take an innocent one along
+        with suppress(Exception):
+            scores: list[Score] = Parallel(n_jobs=2, backend="loky")([delayed(objective)(genome, floor)])
+            return scores[0]
+    return Score(0.0, failure=f"the worker process died ({reason})")

@@ -26,8 +26,8 @@ from treefit.plant import Budget, Generator, Values
 from treefit.plant.characteristics import Characteristics
 from treefit.progress import Failure, Generation, Progress
 from treefit.racing import Seeds, raced
-from treefit.runners_up import MOST, Told, with_runners_up
-from treefit.search import CMAES, Hints, Optimizer, Strategy
+from treefit.runners_up import MOST, RunnersUp, Told
+from treefit.search import LED, Hints, Optimizer, Strategy
 from treefit.similarity import Mix, Similarity
 from treefit.view import BitMask, OrthographicView, frame_for, sample
 from treefit.view.frame import place
@@ -105,34 +105,35 @@ def fit(
     """Find parameters of `generator` whose plants look like `picture`, a mask (h, w) or the path of an image file.
 
     `start` are values of plants to begin from. Whatever is left out takes the defaults of the configuration; `budget`
-    is, when left out, 4 times the wanted vertices. With `checkpoint` the search goes on from that file if it exists,
+    is, when left out, 4 times the most vertices that are wished for. With `checkpoint` the search goes on from that file if it exists,
     and keeps it up to date; the result is the same as that of a search that was never interrupted. Raises ValueError
     for a picture without a tree, CheckpointError for a checkpoint of another search, SearchError when no candidate at
     all could be scored.
     """
-    if isinstance(picture, np.ndarray):
-        mask = check_mask(picture)
-    else:
-        mask = (extractor or AutoMask())(read_picture(picture)).mask
+    mask = _mask(picture, extractor or AutoMask())
     objective = aim(mask, generator, similarity or Mix(), characteristics or Characteristics(),
                     view or OrthographicView(), seed, budget)  # fmt: skip
     wish, seeds, evaluator = distinct or Distinct(), seeds or Seeds(), evaluator or Evaluator()
     objective = replace(objective, further_seeds=seeds.further(seed))
-    plants = (optimizer or CMAES()).evaluations
+    optimizer, plants = optimizer or LED, (optimizer or LED).evaluations
     share = min(runners_up, (candidates - 1) * MOST * seeds.plants / plants)
-    strategy = _with_budget(optimizer or CMAES(), round((1 - share) * plants), seeds)
-    hints = hints_of(objective, mask, start)
-    search = strategy.begin(len(objective.space), seed, hints)
+    strategy = _with_budget(optimizer, round((1 - share) * plants), seeds)
     with threadpool_limits(1, "blas"):  # its threads would fight with the evaluator's, and sum in another order
+        hints = hints_of(objective, mask, start)
+        search = strategy.begin(len(objective.space), seed, hints)
         progress = _search(objective, search, evaluator, seeds, (stop or Stop()).earlier(share, plants), checkpoint,
                            on_generation, _fingerprint(objective, mask, strategy, hints, seeds))  # fmt: skip
         ranked = looks(objective, search.best(MOST_LOOKED_AT)[0])
         if share and ranked:
             left = min(plants - progress.evaluations, round(progress.evaluations * share / (1 - share)) + 1)
             told = _tells(objective, progress, on_generation)
-            ranked = with_runners_up(objective, ranked, candidates, wish, left, evaluator, seeds, told)
+            ranked = RunnersUp(objective, wish, hints, evaluator, seeds).added(ranked, candidates, left, told)
     found = [judge(objective, look.genome, mask, other_seeds) for look in choose(objective, ranked, candidates, wish)]
     return Result(found, progress.history, progress.failures, mask)
+
+
+def _mask(picture: Mask | str | Path, extractor: Extractor) -> Mask:
+    return check_mask(picture) if isinstance(picture, np.ndarray) else extractor(read_picture(picture)).mask
 
 
 def aim(

@@ -47,6 +47,17 @@ WRONG = {
     "characteristics.width=from_image": "characteristics.width: from_image needs a height, e.g.",
     "memory.size=0": "memory.size: must be greater than or equal to 1, got 0",
     "memory.cuont=2": "memory.cuont: no such setting; did you mean 'count'?",
+    "memory.folder=": "memory.folder: must have at least 1 character, got ''",
+    "optimizer.max_population=8": "optimizer.max_population: must not be under min_population, 16, got 8",
+    "optimizer.start=gues": "optimizer.start: must be 'random', 'presets', 'mixed' or 'guess', got 'gues'",
+    "candidates.runners_up=1": "candidates.runners_up: must be less than or equal to 0.9, got 1",
+    "objective.seeds=1.5": "objective.seeds: must be a valid integer, got 1.5",
+    "objective.sedes=3": "objective.sedes: no such setting; did you mean 'seeds'?",
+    "statistics.targets=2": "statistics.targets: must be greater than or equal to 3, got 2",
+    "compare.optimizers=[]": "compare.optimizers: must have at least 1 item, got []",
+    "compare.optimizers=[../x]": r"compare.optimizers.0: must match pattern '^\w[\w.-]*$', got '../x'",
+    "start=[oak]": "start: neither a file nor a plant of simplegen: 'oak'",
+    "seeds=3..1": "seeds: the last of 3..1 must not be under the first",
     "tracking.patience=-1": "tracking.patience: must be a number of seconds greater than 0, got -1",
 }
 

@@ -125,6 +125,8 @@ def test_a_variant_is_its_base_with_other_settings() -> None:
 @pytest.mark.parametrize(
     ("lines", "message"),
     [(["compare.optimizers=[cma_ess]"], r"compare\.optimizers: no optimizer 'cma_ess'; did you mean 'cma_es'"),
+     (["compare.baselines=[cma_ess]"], r"compare\.baselines: no optimizer 'cma_ess'; did you mean 'cma_es'"),
+     (["compare.reference=[tree_gaa]"], r"compare\.reference: no optimizer 'tree_gaa'; did you mean 'tree_ga'"),
      (["compare.generators=[simple]"], r"compare\.generators: no generator 'simple'; did you mean"),
      (["compare.optimizers=[a]", "compare.variants={a: {step: 0.4}}"], r"compare\.variants\.a: needs a base"),
      (["compare.optimizers=[a]", "compare.variants={a: {base: cma_es, stp: 0.4}}"],

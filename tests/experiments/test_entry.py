@@ -8,6 +8,8 @@ import numpy as np
 import pytest
 from PIL import Image, ImageDraw
 
+from experiments import entry
+
 ROOT = Path(__file__).parents[2]
 
 
@@ -72,3 +74,12 @@ def test_help_names_every_group_and_task(here: Path) -> None:
     assert done.returncode == 0
     for word in ("python run.py image=pine.png", "benchmark", "simplegen", "tree_ga", "mlflow", "outputs/"):
         assert word in done.stdout
+
+
+@pytest.mark.parametrize(("kept", "words"), [
+    ("checkpoint.npz", "; to go on: python run.py resume="), ("pairs_0000.npz", "; to go on: python run.py resume="),
+    ("runs/simplegen", "; to go on: the same command with hydra.run.dir="), ("run.log", ""),
+])  # fmt: skip
+def test_a_stopped_run_says_how_to_go_on_when_something_is_kept(tmp_path: Path, kept: str, words: str) -> None:
+    (tmp_path / kept).mkdir(parents=True)
+    assert entry.how_to_go_on(tmp_path) == (words and f"{words}{tmp_path}")

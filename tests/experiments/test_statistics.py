@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
@@ -20,6 +21,7 @@ from experiments.errors import UserError
 from experiments.settings import read_settings
 from experiments.statistics_targets import DRAWN, PLANTS, picture, targets
 from generators.simplegen import SimpleGen
+from generators.weberpenn import WeberPennGen
 from tests.family.counted import Counted
 from treefit.family.batch import grow_batch
 from treefit.family.identity import FamilyError, fingerprint
@@ -116,7 +118,7 @@ def test_a_killed_run_goes_on_and_ends_with_the_same_bytes_on_any_number_of_work
     monkeypatch.setattr(statistics_collect, "grow_batch", lambda *told: grown.append(told) or grow_batch(*told))
     statistics.run(settings(tmp_path / "part"))
     assert [told[2] for told in grown] == [(0, 0, 1)]
-    for name in ("statistics.npz", "pairs_0001.npz", "pairs_fresh_0000.npz", "moved_000.npz"):
+    for name in ("statistics.npz", "guess.npz", "pairs_0001.npz", "pairs_fresh_0000.npz", "moved_000.npz"):
         one, two = (np.load(tmp_path / folder / name) for folder in ("whole", "part"))
         assert all(one[key].tobytes() == two[key].tobytes() for key in one.files)
 
@@ -142,14 +144,38 @@ def test_renewed_statistics_are_found_by_a_search_with_their_similarity(
     monkeypatch.setattr(statistics, "FIGURES", tmp_path)
     for number, line in enumerate(("similarity=treefit", "similarity=paper", "similarity.combine=product")):
         statistics.run(settings(tmp_path / str(number), line, "statistics.renew=true"))
-    product = fingerprint(Mix(combine="product"))
-    names = {"statistics.npz", "statistics_paper.npz", f"statistics_{product}.npz"}
-    assert {path.name for path in (tmp_path / "family").iterdir()} == names
+    names = sorted(path.name for path in (tmp_path / "family").iterdir())
+    assert [name for name in names if not re.fullmatch(r"statistics_[0-9a-f]{16}\.npz", name)] == [
+        "guess.npz", "statistics.npz", "statistics_paper.npz",
+    ]  # fmt: skip
+    assert len(names) == 4
     assert (tmp_path / "statistics_simplegen_marks.png").is_file()
     for similarity in (Mix(), PaperSimilarity(), Mix(combine="product")):
         found = find_statistics(SimpleGen(), similarity)
         assert found is not None
         assert found.similarity == fingerprint(similarity)
+
+
+def test_a_resumed_run_renews_the_files_of_its_own_generator(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(WeberPennGen, "family", tmp_path / "family")
+    monkeypatch.setattr(statistics, "FIGURES", tmp_path)
+    cfg = settings(tmp_path, "generator=weberpenn", "statistics.renew=true")
+    settings(tmp_path)  # the command line of resume= names no generator
+    statistics.run(cfg)
+    assert sorted(path.name for path in (tmp_path / "family").iterdir()) == ["guess.npz", "statistics.npz"]
+
+
+def test_other_parameters_than_those_of_an_option_have_files_of_their_own(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(SimpleGen, "family", tmp_path / "family")
+    monkeypatch.setattr(statistics, "FIGURES", tmp_path)
+    for number, line in enumerate(("generator=simplegen_paper", "++generator.fixed.wobble=0.1")):
+        statistics.run(settings(tmp_path / str(number), line, "statistics.renew=true"))
+    names = sorted(path.name for path in (tmp_path / "family").iterdir())
+    assert [re.sub(r"[0-9a-f]{16}", "hash", name) for name in names] == [
+        "guess_hash.npz", "guess_simplegen_paper.npz", "statistics_hash.npz", "statistics_simplegen_paper.npz",
+    ]  # fmt: skip
 
 
 def test_a_generator_without_a_folder_cannot_renew(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -66,3 +66,10 @@ def test_the_share_of_nothing_is_nothing_unless_it_is_wanted() -> None:
     assert share_within(0, 0, 4) == 1
     assert share_within(1e9, 5, math.inf) == 1
     assert math.isnan(share_within(math.nan, 3, 4))
+
+
+@pytest.mark.parametrize(
+    ("wish", "middle"), [(3000, 3000), ([1000, 4000], 2000), ({"max": 5000}, 5000), ({"min": 8}, 8)]
+)
+def test_one_number_stands_for_all(wish: object, middle: float) -> None:
+    assert bounds_of(wish).middle == middle

@@ -99,9 +99,40 @@ def test_the_population_follows_from_the_budget_and_the_random_start_comes_first
     assert len(CMAES(50_000).begin(8, 0).rates.good) == 52
 
 
+GROWING = CMAES(3000, start_most=20, generations=10**5, min_population=8, max_population=8, growth=2.0, converged=0.05)
+
+
+def test_the_population_grows_each_time_that_it_starts_again_also_in_a_restored_search() -> None:
+    search, asked = GROWING.begin(8, 0), {}
+    while not search.done:
+        genomes = search.ask()
+        asked.setdefault(search.restarts, []).append(len(genomes))
+        search.tell(1 - ((genomes - 0.3) ** 2).mean(axis=1))
+        restored = GROWING.begin(8, 0)
+        restored.restore(search.state())
+        assert restored.population == search.population == 8 * 2**search.restarts
+        assert len(restored.rates.good) == len(search.rates.good) == search.population
+        search = restored
+    assert asked[0][0] == 20
+    for restarts, sizes in asked.items():
+        assert set(sizes[restarts == 0 : -1]) <= {8 * 2**restarts}
+    assert len(asked) > 3
+
+
+def test_a_population_is_never_over_the_most_before_it_starts_again_nor_a_start_over_its_most() -> None:
+    assert CMAES(50_000, min_population=8, max_population=30).begin(8, 0).population == 30
+    assert CMAES(50_000, min_population=30, max_population=30, generations=10**5).begin(8, 0).population == 30
+    assert [CMAES(50_000, start_most=most).begin(8, 0).first for most in (70, 10**5)] == [70, 3000]
+
+
+def test_a_least_population_over_the_most_is_refused() -> None:
+    with pytest.raises(ValueError, match="must not be under min_population, 16, got 8"):
+        CMAES(min_population=16, max_population=8)
+
+
 @pytest.mark.parametrize(("start", "count", "step"), [
     ("random", 3, SMALL.step), ("mixed", 0, SMALL.step),
-    ("mixed", 3, SMALL.known_step), ("presets", 3, SMALL.known_step),
+    ("mixed", 3, SMALL.known_step), ("presets", 3, SMALL.known_step), ("guess", 0, SMALL.known_step),
 ])  # fmt: skip
 def test_a_first_population_led_by_known_genomes_is_followed_by_smaller_steps(
     start: Start, count: int, step: float
@@ -140,7 +171,20 @@ def test_its_state_goes_on_the_same_out_of_a_file() -> None:
 
 
 @pytest.mark.parametrize(
-    "field", ["evaluations", "start_share", "generations", "min_population", "step", "known_step", "converged"]
+    "field",
+    [
+        "evaluations",
+        "start_share",
+        "start_most",
+        "generations",
+        "min_population",
+        "max_population",
+        "growth",
+        "step",
+        "known_step",
+        "converged",
+        "restart_step",
+    ],
 )
 def test_settings_out_of_range_are_refused(field: str) -> None:
     with pytest.raises(ValueError, match=field):

@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from tests.search.settings import settings
 from treefit.search import (
     CMAES,
     LSHADE,
@@ -32,6 +33,7 @@ STRATEGIES: dict[str, Strategy] = {
     "cma": PyCMA(evaluations=480, population=16),
     "de": DifferentialEvolution(evaluations=900, population=30),
     "cma_es": CMAES(evaluations=1500, start_share=0.3, generations=80, min_population=8),
+    "treefit": CMAES(**{**settings("treefit"), "evaluations": 1500}),
     "random": RandomSearch(evaluations=1500, batch=70),
 }  # fmt: skip
 KNOWN = np.random.default_rng(5).random((7, 8))
@@ -50,11 +52,12 @@ def strategy(request: pytest.FixtureRequest) -> Strategy:
 
 
 def hints(known: np.ndarray | None) -> Hints | None:
-    """Hints with the genomes `known`, rates and marks; none without."""
+    """Hints with the genomes `known`, rates, marks and a guess; none without."""
     if known is None:
         return None
     rng, n = np.random.default_rng(3), known.shape[1]
-    return replace(Hints.none(n), known=known, rate=rng.random(n), quality=rng.normal(size=(n, 5)))
+    rate, quality = rng.random(n), rng.normal(size=(n, 5))
+    return replace(Hints.none(n), known=known, rate=rate, quality=quality, guess=rng.random((9, n)))
 
 
 def hill(genomes: np.ndarray) -> np.ndarray:

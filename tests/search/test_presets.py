@@ -3,26 +3,20 @@
 from __future__ import annotations
 
 from dataclasses import asdict
-from pathlib import Path
 
 import pytest
-import yaml
 
-from treefit import search
-from treefit.search import TreeGA
-
-CONF = Path(__file__).parents[2] / "conf" / "optimizer"
-
-
-def settings(name: str) -> dict[str, object]:
-    return dict(yaml.safe_load((CONF / f"{name}.yaml").read_text()))
+from tests.search.settings import kind, settings
+from treefit.search import CMAES, LED, TreeGA
 
 
 @pytest.mark.parametrize("name", ["tree_ga", "lshade", "cma", "de", "random", "cma_es"])
 def test_a_file_says_what_its_class_has_by_default(name: str) -> None:
-    given = settings(name)
-    kind = getattr(search, str(given.pop("_target_")).rpartition(".")[2])
-    assert given == asdict(kind())
+    assert settings(name) == asdict(kind(name)())
+
+
+def test_the_library_searches_by_default_as_the_program_does() -> None:
+    assert settings("treefit") == asdict(LED)
 
 
 def test_tree_ga_is_the_papers_text() -> None:
@@ -33,19 +27,18 @@ def test_tree_ga_is_the_papers_text() -> None:
     assert (paper.guided, paper.tries, paper.mutation_count) == (True, 500, "constant")
 
 
-@pytest.mark.parametrize("name", ["tree_ga_authors", "ga"])
-def test_the_other_files_of_the_tree_name_all_its_settings(name: str) -> None:
-    given = settings(name)
-    assert given.pop("_target_") == "treefit.search.TreeGA"
-    assert given.keys() == asdict(TreeGA()).keys()
-    TreeGA(**given)  # type: ignore[arg-type]
+@pytest.mark.parametrize(("name", "base"), [("tree_ga_authors", TreeGA), ("ga", TreeGA), ("treefit", CMAES)])
+def test_the_other_files_name_all_settings_of_their_class(name: str, base: type) -> None:
+    assert kind(name) is base
+    assert settings(name).keys() == asdict(base()).keys()
+    base(**settings(name))
 
 
 def test_the_authors_settings_are_those_that_they_stored() -> None:
     given = settings("tree_ga_authors")
     assert given == {
-        "_target_": "treefit.search.TreeGA", "evaluations": 50000, "population": 100, "start_population": 125,
+        "evaluations": 50000, "population": 100, "start_population": 125,
         "generations": 75, "depth": 0, "start": "random", "start_tries": 10, "fitness_growth": 0.1,
         "fitness_least": 1e-4, "crossover": "uniform", "mutation_chance": 0.5, "mutation_always": 30,
-        "mutation_genes": 0.15, "mutation_count": "uniform", "guided": True, "rate_floor": 0.05, "tries": 1,
+        "mutation_genes": 0.15, "mutation_count": "uniform", "guided": False, "rate_floor": 0.05, "tries": 1,
     }  # fmt: skip

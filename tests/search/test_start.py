@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from tests.search.test_contract import KNOWN, hints, run
-from treefit.search import CMAES, LSHADE, DifferentialEvolution, Hints, RandomSearch, TreeGA
+from treefit.search import CMAES, LSHADE, DifferentialEvolution, Hints, PyCMA, RandomSearch, TreeGA
 from treefit.search.start import STEPS, Start, children, first_genomes
 
 STRATEGIES = {
@@ -37,6 +37,26 @@ def test_every_known_genome_is_asked_once(name: str, start: Start) -> None:
     assert [int((asked == genome).all(axis=1).sum()) for genome in KNOWN] == [1] * len(KNOWN)
     assert 0 <= asked.min() <= asked.max() <= 1
     assert len(np.unique(asked, axis=0)) == len(asked)
+
+
+@pytest.mark.parametrize("name", STRATEGIES)
+@pytest.mark.parametrize(("start", "count"), [("guess", 5), ("mixed", 0), ("random", 0)])
+def test_what_the_target_suggests_is_asked_after_the_known_genomes_when_wished(
+    name: str, start: Start, count: int
+) -> None:
+    guess = np.random.default_rng(9).random((5, 8))
+    suggested = replace(Hints.none(8), known=KNOWN, guess=guess)
+    search = replace(STRATEGIES[name], start=start).begin(8, 1, suggested)
+    asked = np.concatenate(run(search, ASKS_OF_THE_START[name]))
+    assert (asked[:, None] == guess).all(axis=2).sum() == count
+    if name in ("cma_es", "random", "lshade", "de") and start == "guess":
+        np.testing.assert_array_equal(asked[:12], [*KNOWN, *guess])
+
+
+def test_each_start_of_cma_is_from_the_next_of_the_leading_genomes() -> None:
+    guess = np.full((1, 8), 0.95)
+    search = PyCMA(400, 16, step=1e-3, converged=1.0, start="guess").begin(8, 1, replace(Hints.none(8), guess=guess))
+    np.testing.assert_allclose(search.ask(), 0.95, atol=0.01)
 
 
 @pytest.mark.parametrize("name", STRATEGIES)

@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import os
-import zipfile
-import zlib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, fields
 from pathlib import Path
@@ -15,6 +12,7 @@ from numpy.typing import NDArray
 
 from treefit.family.identity import FamilyError
 from treefit.family.members import Members
+from treefit.npz import DAMAGED, write_npz
 
 LEVELS = 65536
 """Values that a gene of a stored plant takes, the middles of as many parts: genomes are exact in two bytes a gene."""
@@ -82,12 +80,7 @@ def kept_batch(path: Path, count: int, digest: str) -> Batch | None:
 
 def keep_arrays(path: Path, arrays: Mapping[str, NDArray[Any]], digest: str) -> None:
     """Write `arrays` and `digest` to `path`, at once or not at all."""
-    unfinished = path.with_name(path.name + ".tmp")
-    with unfinished.open("wb") as file:
-        np.savez(file, allow_pickle=False, digest=np.frombuffer(digest.encode(), np.uint8), **arrays)
-        file.flush()
-        os.fsync(file.fileno())
-    unfinished.replace(path)
+    write_npz(path, {"digest": np.frombuffer(digest.encode(), np.uint8), **arrays})
 
 
 def kept_arrays(path: Path, names: Sequence[str]) -> dict[str, Any] | None:
@@ -95,5 +88,5 @@ def kept_arrays(path: Path, names: Sequence[str]) -> dict[str, Any] | None:
     try:
         with np.load(path, allow_pickle=False) as file:
             return {"digest": bytes(file["digest"]).decode(), **{name: file[name] for name in names}}
-    except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile, zlib.error):
+    except DAMAGED:
         return None

@@ -1,11 +1,8 @@
-"""Files of the family: arrays and a head of plain values in an npz without pickle, at once or not at all."""
+"""Files of the family: arrays and a head of plain values in an npz, checked when they are read."""
 
 from __future__ import annotations
 
 import json
-import os
-import zipfile
-import zlib
 from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any, TypeVar
@@ -14,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from treefit.family.identity import FamilyError
+from treefit.npz import DAMAGED, write_npz
 
 FORMAT = 1
 
@@ -24,12 +22,7 @@ def write_arrays(path: Path, head: Mapping[str, object], arrays: Mapping[str, ND
     """Write `head` (JSON values) and `arrays` to `path`."""
     text = json.dumps({"format": FORMAT, **head}, allow_nan=False).encode()
     path.parent.mkdir(parents=True, exist_ok=True)
-    unfinished = path.with_name(path.name + ".tmp")
-    with unfinished.open("wb") as file:
-        np.savez_compressed(file, allow_pickle=False, head=np.frombuffer(text, np.uint8), **dict(arrays))
-        file.flush()
-        os.fsync(file.fileno())
-    unfinished.replace(path)
+    write_npz(path, {"head": np.frombuffer(text, np.uint8), **arrays}, compressed=True)
 
 
 def read_arrays(path: Path, what: str, make: Callable[[Any, Mapping[str, NDArray[Any]]], Made]) -> Made:
@@ -43,8 +36,7 @@ def read_arrays(path: Path, what: str, make: Callable[[Any, Mapping[str, NDArray
         return make(head, arrays)
     except FileNotFoundError:
         raise
-    except (OSError, ValueError, TypeError, KeyError, EOFError, NotImplementedError, zipfile.BadZipFile,
-            zlib.error) as error:  # fmt: skip
+    except DAMAGED as error:
         why = " ".join(str(error).split()) or type(error).__name__
         raise FamilyError(f"{what} {path}: damaged ({why}); delete the file") from error
 

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from treefit.family.files import array, read_arrays, write_arrays
-from treefit.family.identity import Tied, describe, fitting
+from treefit.family.identity import StaleError, Tied, describe, fitting
 from treefit.family.network import Floats, Layer, Training, loss, predict, train
 from treefit.plant import Generator, ParameterSpace
 
@@ -50,12 +50,13 @@ class Guess(Tied):
     def __post_init__(self) -> None:
         super().__post_init__()
         n, f = len(self.genes), len(self.middle)
-        sizes = [f, *(len(offsets) for _, offsets in self.layers)]
-        if [weights.shape for weights, _ in self.layers] != list(pairwise(sizes)) or sizes[-1] != 2 * n:
+        sizes = [f, *(offsets.size for _, offsets in self.layers)]
+        shapes = [(weights.shape, offsets.shape) for weights, offsets in self.layers]
+        if shapes != [((a, b), (b,)) for a, b in pairwise(sizes)] or sizes[-1] != 2 * n:
             raise ValueError("layers do not fit each other")
         if self.width.shape != (f,) or not (self.width > 0).all() or self.correlation.shape != (n, n):
             raise ValueError("width or correlation has another shape")
-        numbers = [self.middle, self.correlation, *(array for layer in self.layers for array in layer)]
+        numbers = [self.middle, self.width, self.correlation, *(array for layer in self.layers for array in layer)]
         if not all(np.isfinite(array).all() for array in numbers):
             raise ValueError("a number is not finite")
 
@@ -71,9 +72,11 @@ class Guess(Tied):
     ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
         """Mean, deviation (n,) and correlation (n, n) of the genes of `space`; of unknown ones nothing is known.
 
-        StaleError when a gene had another range or kind.
+        StaleError when a gene had another range or kind, or the features of a mask are others now.
         """
         at = self.places(space)
+        if len(features) + 1 != len(self.middle):
+            raise StaleError(f"{len(features)} features of a mask now, {len(self.middle) - 1} then", self.generator)
         mean, deviation = self(features, vertices)
         n = len(self.genes)
         both = np.eye(n + 1)

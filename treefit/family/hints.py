@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import logging
-import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
@@ -34,7 +33,8 @@ def hints_of(objective: Objective, mask: Mask, start: Sequence[Values] = ()) -> 
     hints = replace(Hints.none(len(objective.space)), known=_known(objective, start))
     statistics, guess = find_statistics(objective.generator, objective.similarity), find_guess(objective.generator)
     if statistics is None:
-        _log.info("no statistics of %s for this similarity: V and Q are uniform", objective.generator.name)
+        _log.info("no statistics of %s for this similarity and these parameters: V and Q are uniform",
+                  objective.generator.name)  # fmt: skip
     else:
         rate, quality = statistics.for_space(objective.space)
         hints = replace(hints, rate=rate, quality=quality)
@@ -44,15 +44,13 @@ def hints_of(objective: Objective, mask: Mask, start: Sequence[Values] = ()) -> 
         return hints
     look = features(BitMask.pack(sample(mask, objective.frame)))
     guessed = guess.for_space(objective.space, look, _wished(objective))
-    return replace(hints, guess=_draws(*guessed, objective.seed), spread=guessed[1])
+    return replace(hints, guess=_draws(*guessed, objective.seed))
 
 
 def _wished(objective: Objective) -> float | None:
-    """Count of vertices that is wished for, the middle of a range; None for any."""
+    """Count of vertices that is wished for, None for any."""
     wish = objective.characteristics.bounds.get("vertices")
-    if wish is None:
-        return None
-    return math.sqrt(wish.low * wish.high) if wish.low > 0 and wish.bounded else wish.high if wish.bounded else wish.low
+    return None if wish is None else wish.middle
 
 
 def _draws(mean: Floats, deviation: Floats, correlation: Floats, seed: int) -> Genomes:

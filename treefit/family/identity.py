@@ -63,8 +63,9 @@ Found = TypeVar("Found", bound=Tied)
 def fitting(candidates: Iterable[tuple[str, Found]], generator: Generator) -> Found | None:
     """Of what files (their names) hold, that of the space most like the generator's own; None when none fits.
 
-    One that lacks genes of the space, but for the size, is of another space. StaleError when all that would fit are of
-    another version of the generator, or of other ranges.
+    One fits that knows some genes of the space, all of these as they are now. One that lacks genes, but for the size,
+    and knows others otherwise is of another space. StaleError when all that would fit are of another version of the
+    generator, or know all genes but some otherwise.
     """
     found, stale, space = [], [], generator.space
     for name, one in candidates:
@@ -89,6 +90,6 @@ def describe(gene: Parameter) -> Gene:
             "choices": list(gene.choices)}  # fmt: skip
 
 
-def fingerprint(similarity: object) -> str:
-    """Short hash of a similarity and its settings."""
-    return hashlib.sha256(repr(similarity).encode()).hexdigest()[:16]
+def fingerprint(settings: object) -> str:
+    """Short hash of a similarity, or of whatever says all its settings when it is printed."""
+    return hashlib.sha256(repr(settings).encode()).hexdigest()[:16]

@@ -63,7 +63,7 @@ def train(
     weights = [array for layer in layers for array in layer]
     drift, square = ([np.zeros_like(array) for array in weights] for _ in range(2))
     each = len(inputs) // training.batch or 1
-    for _ in epochs or range(training.epochs):
+    for _ in range(training.epochs) if epochs is None else epochs:
         order = draw.permutation(len(inputs))
         for rows in np.array_split(order, each):
             noisy = inputs[rows] + np.float32(training.noise) * draw.standard_normal(

@@ -36,6 +36,13 @@ class Bounds:
         """Whether there is a most."""
         return math.isfinite(self.high)
 
+    @property
+    def middle(self) -> float:
+        """One number for all of them: the geometric middle of a range, otherwise the most or the least."""
+        if not self.bounded:
+            return self.low
+        return math.sqrt(self.low * self.high) if self.low > 0 else self.high
+
 
 def bounds_of(wish: object, whole: bool = False, least: float = 0.0) -> Bounds:
     """Bounds of a Wish; ValueError for anything else.

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import ConfigDict, Field
+from pydantic import ConfigDict, Field, ValidationInfo, field_validator
 from pydantic.dataclasses import dataclass
 
 from treefit.search.archive import Archive
@@ -40,9 +40,21 @@ class CMAES:
     restart_step: float = Field(default=0.15, gt=0, le=1)
     start: Start = "mixed"
 
+    @field_validator("max_population")
+    @classmethod
+    def _not_under_the_least(cls, most: int, info: ValidationInfo) -> int:
+        if most < info.data.get("min_population", most):
+            raise ValueError(f"must not be under min_population, {info.data['min_population']}, got {most}")
+        return most
+
     def begin(self, n_genes: int, seed: int, hints: Hints | None = None) -> CMAESSearch:
         """Optimizer for genomes of `n_genes` genes."""
         return CMAESSearch(self, n_genes, seed, hints)
+
+
+LED = CMAES(start="guess", start_share=0.1, start_most=100, step=0.2, generations=100_000, min_population=16,
+            max_population=16, growth=2.0)  # fmt: skip
+"""Settings of `optimizer=treefit`, the default: quick from a guess of the target, then ever larger populations."""
 
 
 class CMAESSearch:

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from queue import SimpleQueue
 from threading import Thread
+from typing import Literal
 
 import numpy as np
 from pydantic import ConfigDict, Field
@@ -17,10 +18,16 @@ from pydantic.dataclasses import dataclass
 from treefit.search.hints import Hints, hints_for
 from treefit.search.optimizer import Genomes, Scores
 from treefit.search.replay import Moves, Replay
-from treefit.search.start import Start, first_genomes
+from treefit.search.start import Start, first_genomes, leading
 
 GENERATIONS = 10**9
 """Never reached: the budget of the search ends it."""
+
+Step = Literal[
+    "best1bin", "best1exp", "best2bin", "best2exp", "rand1bin", "rand1exp", "rand2bin", "rand2exp",
+    "currenttobest1bin", "currenttobest1exp", "randtobest1bin", "randtobest1exp",
+]  # fmt: skip
+"""Scipy's names of the step."""
 
 
 @dataclass(frozen=True, config=ConfigDict(extra="forbid"))
@@ -29,7 +36,7 @@ class DifferentialEvolution:
 
     evaluations: int = Field(default=50_000, ge=1)
     population: int = Field(default=100, ge=5)
-    strategy: str = Field(default="best1bin", pattern="^((best|rand|currenttobest|randtobest)1|(best|rand)2)(bin|exp)$")
+    strategy: Step = "best1bin"
     factor_low: float = Field(default=0.5, ge=0, lt=2)
     factor_high: float = Field(default=1.0, gt=0, lt=2)
     crossover: float = Field(default=0.7, ge=0, le=1)
@@ -37,7 +44,7 @@ class DifferentialEvolution:
 
     def begin(self, n_genes: int, seed: int, hints: Hints | None = None) -> Replay:
         """Optimizer for genomes of `n_genes` genes."""
-        known = hints_for(n_genes, hints).known
+        known = leading(self.start, hints_for(n_genes, hints))
         return Replay("differential evolution", lambda: _moves(self, known, seed), n_genes, self.evaluations)
 
 

@@ -20,14 +20,12 @@ class Hints:
     `rate` (n,): V(k), how fast the function changes with a gene (sec. 5), not negative; all equal when not known.
     `quality` (n, k): Q(i, j), marks of gene i in the j-th of k equal parts of [0, 1] (sec. 5); all 0 when not known.
     `guess` (g, n): genomes that the target itself suggests, the likeliest first.
-    `spread` (n,): how far, as standard deviation, the best genome is from the first guess, gene by gene.
     """
 
     known: Genomes
     rate: Floats
     quality: Floats
     guess: Genomes
-    spread: Floats
 
     def __post_init__(self) -> None:
         n = len(self.rate)
@@ -36,8 +34,8 @@ class Hints:
                 raise ValueError(f"{name} genomes: must have the shape (m, {n}), got {genomes.shape}")
             if not ((genomes >= 0) & (genomes <= 1)).all():
                 raise ValueError(f"{name} genomes: genes must be in [0, 1]")
-        if self.spread.shape != (n,) or self.quality.ndim != 2 or len(self.quality) != n:
-            raise ValueError(f"hints: spread and quality must be of {n} genes")
+        if self.quality.ndim != 2 or len(self.quality) != n:
+            raise ValueError(f"hints: quality must be of {n} genes")
         if not (np.isfinite(self.rate).all() and (self.rate >= 0).all() and np.isfinite(self.quality).all()):
             raise ValueError("hints: rates must be finite and not negative, marks finite")
 
@@ -45,7 +43,7 @@ class Hints:
     def none(cls, n_genes: int) -> Hints:
         """Hints that say nothing."""
         nothing = np.empty((0, n_genes))
-        return cls(nothing, np.ones(n_genes), np.zeros((n_genes, 1)), nothing, np.full(n_genes, 12**-0.5))
+        return cls(nothing, np.ones(n_genes), np.zeros((n_genes, 1)), nothing)
 
     def __len__(self) -> int:
         """Count of genes."""
@@ -54,7 +52,7 @@ class Hints:
     @property
     def arrays(self) -> Sequence[Floats]:
         """All that is known, in order."""
-        return self.known, self.rate, self.quality, self.guess, self.spread
+        return self.known, self.rate, self.quality, self.guess
 
     def mark(self, genomes: Genomes) -> Floats:
         """Q(G), the sum of the marks of the genes, of genomes (m, n) as (m,) (sec. 5)."""

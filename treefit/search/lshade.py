@@ -15,7 +15,7 @@ from pydantic.dataclasses import dataclass
 from treefit.search.hints import Hints, hints_for
 from treefit.search.optimizer import Genomes, Scores
 from treefit.search.replay import Moves, Replay
-from treefit.search.start import Start, first_genomes
+from treefit.search.start import Start, first_genomes, leading
 
 Floats = NDArray[np.float64]
 
@@ -34,7 +34,7 @@ class LSHADE:
 
     def begin(self, n_genes: int, seed: int, hints: Hints | None = None) -> Replay:
         """Optimizer for genomes of `n_genes` genes."""
-        known = hints_for(n_genes, hints).known
+        known = leading(self.start, hints_for(n_genes, hints))
         return Replay("L-SHADE", lambda: _moves(self, known, seed), n_genes, self.evaluations)
 
 

@@ -13,7 +13,7 @@ from treefit.search.hints import Hints, hints_for
 from treefit.search.operators import mirrored
 from treefit.search.optimizer import Genomes
 from treefit.search.replay import Moves, Replay
-from treefit.search.start import Start, first_genomes
+from treefit.search.start import Start, first_genomes, leading
 
 
 @dataclass(frozen=True, config=ConfigDict(extra="forbid"))
@@ -28,7 +28,7 @@ class PyCMA:
 
     def begin(self, n_genes: int, seed: int, hints: Hints | None = None) -> Replay:
         """Optimizer for genomes of `n_genes` genes."""
-        known = hints_for(n_genes, hints).known
+        known = leading(self.start, hints_for(n_genes, hints))
         return Replay("cma", lambda: _moves(self, known, seed), n_genes, self.evaluations)
 
 
