@@ -105,10 +105,10 @@ def fit(
     """Find parameters of `generator` whose plants look like `picture`, a mask (h, w) or the path of an image file.
 
     `start` are values of plants to begin from. Whatever is left out takes the defaults of the configuration; `budget`
-    is, when left out, 4 times the most vertices that are wished for. With `checkpoint` the search goes on from that file if it exists,
-    and keeps it up to date; the result is the same as that of a search that was never interrupted. Raises ValueError
-    for a picture without a tree, CheckpointError for a checkpoint of another search, SearchError when no candidate at
-    all could be scored.
+    is, when left out, 4 times the most vertices that are wished for. With `checkpoint` the search goes on from that
+    file if it exists, and keeps it up to date; the result is the same as that of a search that was never interrupted.
+    Raises ValueError for a picture without a tree, CheckpointError for a checkpoint of another search, SearchError when
+    no candidate at all could be scored.
     """
     mask = _mask(picture, extractor or AutoMask())
     objective = aim(mask, generator, similarity or Mix(), characteristics or Characteristics(),

@@ -1,5 +1,7 @@
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -20,8 +22,7 @@ def mutants(by: Guide, count: int, m: int = 4000, value: float = 0.55) -> np.nda
 
 
 def quality(genomes: np.ndarray) -> np.ndarray:
-    nothing = Hints.none(6)
-    return Hints(nothing.known, nothing.rate, MARKS, nothing.guess, nothing.spread).mark(genomes)
+    return replace(Hints.none(6), quality=MARKS).mark(genomes)
 
 
 def test_a_gene_changes_in_proportion_to_its_rate() -> None:
