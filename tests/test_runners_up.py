@@ -12,6 +12,7 @@ import pytest
 
 from generators.simplegen import SimpleGen
 from tests.conftest import blob
+from tests.search.settings import cma_es
 from treefit.apart import Apart
 from treefit.distinct import Distinct, Look, choose, looks
 from treefit.evaluation import Evaluator
@@ -38,7 +39,7 @@ def goal() -> Objective:
 @pytest.fixture(scope="module")
 def ranked(goal: Objective) -> list[Look]:
     """What a short search came to."""
-    search = CMAES(evaluations=2000, min_population=16, generations=10_000).begin(len(goal.space), 0)
+    search = cma_es(evaluations=2000, min_population=16, generations=10_000).begin(len(goal.space), 0)
     evaluate = Evaluator("serial")
     while not search.done:
         search.tell(np.array([score.total for score in evaluate(goal, search.ask())]))

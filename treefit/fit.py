@@ -27,7 +27,7 @@ from treefit.plant.characteristics import Characteristics
 from treefit.progress import Failure, Generation, Progress
 from treefit.racing import Seeds, raced
 from treefit.runners_up import MOST, RunnersUp, Told
-from treefit.search import LED, Hints, Optimizer, Strategy
+from treefit.search import CMAES, Hints, Optimizer, Strategy
 from treefit.similarity import Mix, Similarity
 from treefit.view import BitMask, OrthographicView, frame_for, sample
 from treefit.view.frame import place
@@ -115,7 +115,7 @@ def fit(
                     view or OrthographicView(), seed, budget)  # fmt: skip
     wish, seeds, evaluator = distinct or Distinct(), seeds or Seeds(), evaluator or Evaluator()
     objective = replace(objective, further_seeds=seeds.further(seed))
-    optimizer, plants = optimizer or LED, (optimizer or LED).evaluations
+    optimizer, plants = optimizer or CMAES(), (optimizer or CMAES()).evaluations
     share = min(runners_up, (candidates - 1) * MOST * seeds.plants / plants)
     strategy = _with_budget(optimizer, round((1 - share) * plants), seeds)
     with threadpool_limits(1, "blas"):  # its threads would fight with the evaluator's, and sum in another order

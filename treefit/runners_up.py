@@ -92,7 +92,7 @@ class RunnersUp:
         if evaluations < 1 or len(starts) == 0:
             return starts[:0]
         settings = CMAES(evaluations=evaluations, start="presets", start_share=1, start_most=len(starts),
-                         known_step=step, min_population=POPULATION, max_population=POPULATION)  # fmt: skip
+                         known_step=step, min_population=POPULATION, max_population=POPULATION, growth=1)  # fmt: skip
         n = len(apart.space)
         search = settings.begin(n, int(rng.integers(2**31)), replace(Hints.none(n), known=starts))
         with raced(self.evaluator, apart, self.seeds) as race:

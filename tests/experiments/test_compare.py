@@ -20,8 +20,9 @@ from experiments.compare_runs import Failed, Job, Run, attempt
 from experiments.errors import UserError
 from experiments.settings import read_settings
 from tests.conftest import blob
+from tests.search.settings import cma_es
 from treefit.image import write_mask
-from treefit.search import CMAES, RandomSearch
+from treefit.search import RandomSearch
 
 SMALL = ["task=compare", "compare.optimizers=[random,tree_ga]", "compare.evaluations=150", "compare.budgets=[50,100]",
          "compare.hidden=1", "compare.repeats=1", "compare.workers=1", "other_seeds=1", "characteristics.vertices=400",
@@ -119,7 +120,7 @@ def test_all_optimizers_keep_abreast_and_repeats_have_seeds_of_their_own(masks: 
 def test_a_variant_is_its_base_with_other_settings() -> None:
     line = "compare.variants={wide: {base: cma_es, step: 0.4}}"
     wanted = read_settings(settings("compare.optimizers=[wide,random]", line)).compare
-    assert strategies(wanted) == {"wide": CMAES(evaluations=150, step=0.4), "random": RandomSearch(evaluations=150)}
+    assert strategies(wanted) == {"wide": cma_es(evaluations=150, step=0.4), "random": RandomSearch(evaluations=150)}
 
 
 @pytest.mark.parametrize(

@@ -23,5 +23,10 @@ def kind(name: str) -> Any:
     return getattr(search, str(_read(name)["_target_"]).removeprefix("treefit.search."))
 
 
+def cma_es(**changes: Any) -> search.CMAES:
+    """CMA-ES as its own file has it, with other settings."""
+    return search.CMAES(**{**settings("cma_es"), **changes})
+
+
 def _read(name: str) -> dict[str, Any]:
     return dict(yaml.safe_load((CONF / f"{name}.yaml").read_text(encoding="utf-8")))

@@ -7,14 +7,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from tests.search.settings import cma_es
 from tests.search.test_contract import hints
-from treefit.search import CMAES
 from treefit.search.cma_es import CMAESSearch
 from treefit.search.gaussian import around, learn, rates
 from treefit.search.operators import mirrored
 from treefit.search.start import Start
 
-SMALL = CMAES(evaluations=3000, start_share=0.1, min_population=16)
+SMALL = cma_es(evaluations=3000, start_share=0.1, min_population=16)
 STRETCH = 10 ** (3 * np.arange(10) / 9)  # of the axes of the bowls: the longest is a thousand times the shortest
 
 
@@ -96,10 +96,12 @@ def test_the_population_follows_from_the_budget_and_the_random_start_comes_first
         search.tell(np.ones(sizes[-1]))
     assert sizes[:3] == [100, 100, 100]
     assert set(sizes[3:-1]) == {16}
-    assert len(CMAES(50_000).begin(8, 0).rates.good) == 52
+    assert len(cma_es(evaluations=50_000).begin(8, 0).rates.good) == 52
 
 
-GROWING = CMAES(3000, start_most=20, generations=10**5, min_population=8, max_population=8, growth=2.0, converged=0.05)
+GROWING = cma_es(
+    evaluations=3000, start_most=20, generations=10**5, min_population=8, max_population=8, growth=2.0, converged=0.05
+)
 
 
 def test_the_population_grows_each_time_that_it_starts_again_also_in_a_restored_search() -> None:
@@ -120,14 +122,16 @@ def test_the_population_grows_each_time_that_it_starts_again_also_in_a_restored_
 
 
 def test_a_population_is_never_over_the_most_before_it_starts_again_nor_a_start_over_its_most() -> None:
-    assert CMAES(50_000, min_population=8, max_population=30).begin(8, 0).population == 30
-    assert CMAES(50_000, min_population=30, max_population=30, generations=10**5).begin(8, 0).population == 30
-    assert [CMAES(50_000, start_most=most).begin(8, 0).first for most in (70, 10**5)] == [70, 3000]
+    assert cma_es(evaluations=50_000, min_population=8, max_population=30).begin(8, 0).population == 30
+    assert (
+        cma_es(evaluations=50_000, min_population=30, max_population=30, generations=10**5).begin(8, 0).population == 30
+    )
+    assert [cma_es(evaluations=50_000, start_most=most).begin(8, 0).first for most in (70, 10**5)] == [70, 3000]
 
 
 def test_a_least_population_over_the_most_is_refused() -> None:
     with pytest.raises(ValueError, match="must not be under min_population, 16, got 8"):
-        CMAES(min_population=16, max_population=8)
+        cma_es(min_population=16, max_population=8)
 
 
 @pytest.mark.parametrize(("start", "count", "step"), [
@@ -155,7 +159,7 @@ def test_scores_that_are_all_the_same_do_no_harm(score: float) -> None:
 
 def test_its_state_goes_on_the_same_out_of_a_file() -> None:
     """An array comes back in the order of its bytes in the file, upon which the last bit of a product depends."""
-    one, other = CMAES(evaluations=2000).begin(20, 0), CMAES(evaluations=2000).begin(20, 0)
+    one, other = cma_es(evaluations=2000).begin(20, 0), cma_es(evaluations=2000).begin(20, 0)
     while one.told < 1500:
         one.tell(1 - ((one.ask() - 0.3) ** 2).mean(axis=1))
     file = io.BytesIO()
@@ -188,4 +192,4 @@ def test_its_state_goes_on_the_same_out_of_a_file() -> None:
 )
 def test_settings_out_of_range_are_refused(field: str) -> None:
     with pytest.raises(ValueError, match=field):
-        CMAES(**{field: -1})
+        cma_es(**{field: -1})

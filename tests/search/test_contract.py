@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tests.search.settings import settings
+from tests.search.settings import cma_es, settings
 from treefit.search import (
     CMAES,
     LSHADE,
@@ -32,7 +32,7 @@ STRATEGIES: dict[str, Strategy] = {
     "lshade": LSHADE(evaluations=900, population=30),
     "cma": PyCMA(evaluations=480, population=16),
     "de": DifferentialEvolution(evaluations=900, population=30),
-    "cma_es": CMAES(evaluations=1500, start_share=0.3, generations=80, min_population=8),
+    "cma_es": cma_es(evaluations=1500, start_share=0.3, generations=80, min_population=8),
     "treefit": CMAES(**{**settings("treefit"), "evaluations": 1500}),
     "random": RandomSearch(evaluations=1500, batch=70),
 }  # fmt: skip

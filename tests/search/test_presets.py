@@ -7,16 +7,12 @@ from dataclasses import asdict
 import pytest
 
 from tests.search.settings import kind, settings
-from treefit.search import CMAES, LED, TreeGA
+from treefit.search import CMAES, TreeGA
 
 
-@pytest.mark.parametrize("name", ["tree_ga", "lshade", "cma", "de", "random", "cma_es"])
+@pytest.mark.parametrize("name", ["tree_ga", "lshade", "cma", "de", "random", "treefit"])
 def test_a_file_says_what_its_class_has_by_default(name: str) -> None:
     assert settings(name) == asdict(kind(name)())
-
-
-def test_the_library_searches_by_default_as_the_program_does() -> None:
-    assert settings("treefit") == asdict(LED)
 
 
 def test_tree_ga_is_the_papers_text() -> None:
@@ -27,7 +23,7 @@ def test_tree_ga_is_the_papers_text() -> None:
     assert (paper.guided, paper.tries, paper.mutation_count) == (True, 500, "constant")
 
 
-@pytest.mark.parametrize(("name", "base"), [("tree_ga_authors", TreeGA), ("ga", TreeGA), ("treefit", CMAES)])
+@pytest.mark.parametrize(("name", "base"), [("tree_ga_authors", TreeGA), ("ga", TreeGA), ("cma_es", CMAES)])
 def test_the_other_files_name_all_settings_of_their_class(name: str, base: type) -> None:
     assert kind(name) is base
     assert settings(name).keys() == asdict(base()).keys()

@@ -5,13 +5,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from tests.search.settings import cma_es
 from tests.search.test_contract import KNOWN, hints, run
-from treefit.search import CMAES, LSHADE, DifferentialEvolution, Hints, PyCMA, RandomSearch, TreeGA
+from treefit.search import LSHADE, DifferentialEvolution, Hints, PyCMA, RandomSearch, TreeGA
 from treefit.search.start import STEPS, Start, children, first_genomes
 
 STRATEGIES = {
     "tree_ga": TreeGA(evaluations=1500, population=20, start_population=30, generations=10),
-    "cma_es": CMAES(evaluations=1500, start_share=0.3, generations=80, min_population=8),
+    "cma_es": cma_es(evaluations=1500, start_share=0.3, generations=80, min_population=8),
     "random": RandomSearch(evaluations=1500, batch=120),
     "lshade": LSHADE(evaluations=1500, population=120),
     "de": DifferentialEvolution(evaluations=1500, population=120),

@@ -1,6 +1,6 @@
 """Optimisers with ask and tell; they import nothing of the rest."""
 
-from treefit.search.cma_es import CMAES, LED
+from treefit.search.cma_es import CMAES
 from treefit.search.differential_evolution import DifferentialEvolution
 from treefit.search.hints import Hints
 from treefit.search.lshade import LSHADE
@@ -11,7 +11,6 @@ from treefit.search.tree_ga import TreeGA
 
 __all__ = [
     "CMAES",
-    "LED",
     "LSHADE",
     "DifferentialEvolution",
     "Hints",

@@ -25,20 +25,20 @@ START_BATCH = 100
 
 @dataclass(frozen=True, config=ConfigDict(extra="forbid"))
 class CMAES:
-    """Settings of CMA-ES."""
+    """Settings of CMA-ES; as they are, those of optimizer=treefit: quick from a guess, then ever larger populations."""
 
     evaluations: int = Field(default=50_000, ge=1)
-    start_share: float = Field(default=0.06, ge=0, le=1)
-    start_most: int = Field(default=100_000, ge=1)
-    generations: int = Field(default=900, ge=1)
-    min_population: int = Field(default=24, ge=4)
-    max_population: int = Field(default=100_000, ge=4)
-    growth: float = Field(default=1.0, ge=1, le=10)
-    step: float = Field(default=0.25, gt=0, le=1)
+    start_share: float = Field(default=0.1, ge=0, le=1)
+    start_most: int = Field(default=100, ge=1)
+    generations: int = Field(default=100_000, ge=1)
+    min_population: int = Field(default=16, ge=4)
+    max_population: int = Field(default=16, ge=4)
+    growth: float = Field(default=2.0, ge=1, le=10)
+    step: float = Field(default=0.2, gt=0, le=1)
     known_step: float = Field(default=0.1, gt=0, le=1)
     converged: float = Field(default=0.005, gt=0, le=1)
     restart_step: float = Field(default=0.15, gt=0, le=1)
-    start: Start = "mixed"
+    start: Start = "guess"
 
     @field_validator("max_population")
     @classmethod
@@ -50,11 +50,6 @@ class CMAES:
     def begin(self, n_genes: int, seed: int, hints: Hints | None = None) -> CMAESSearch:
         """Optimizer for genomes of `n_genes` genes."""
         return CMAESSearch(self, n_genes, seed, hints)
-
-
-LED = CMAES(start="guess", start_share=0.1, start_most=100, step=0.2, generations=100_000, min_population=16,
-            max_population=16, growth=2.0)  # fmt: skip
-"""Settings of `optimizer=treefit`, the default: quick from a guess of the target, then ever larger populations."""
 
 
 class CMAESSearch:
