@@ -9,7 +9,7 @@ import numpy as np
 
 from treefit.distinct import Distinct, Look, genome_distance
 from treefit.objective import Objective, Score
-from treefit.plant import Genome, Plant
+from treefit.plant import Genome
 
 MARGIN = 1.02
 """How much farther than wished a runner-up is looked for: the best is often just where the penalty ends."""
@@ -31,25 +31,18 @@ class Apart(Objective):
     def __call__(self, genome: Genome, floor: float = -np.inf) -> Score:
         """Score of `genome`, times the share of the wished distance that its genome has."""
         score = super().__call__(genome, floor)
-        near = min(genome_distance(genome, look.genome) for look in self.chosen)
-        return _times(score, near / (MARGIN * self.wish.genome))
+        near = min(genome_distance(genome, look.genome) for look in self.chosen) / (MARGIN * self.wish.genome)
+        return score if near >= 1 else replace(score, total=score.total * near)
 
-    def score(self, plant: Plant, floor: float = -np.inf) -> Score:
-        """Score of a plant, times the share of the wished distance that its mask has."""
-        score = super().score(plant, floor)
-        if score.total <= 0 or self.wish.image <= 0:
-            return score
-        mine = self.similarity.describe(self.view(plant, self.frame))
-        like = max(self.similarity.compare(look.description, mine) for look in self.chosen)
-        return _times(score, (1.0 - like) / (MARGIN * self.wish.image))
+    def allowance(self, front: object) -> float:
+        """Share of the wished distance that the mask has, 1 at most."""
+        if self.wish.image <= 0:
+            return 1.0
+        like = max(self.similarity.compare(look.description, front) for look in self.chosen)
+        return min((1.0 - like) / (MARGIN * self.wish.image), 1.0)
 
     def of_look(self, look: Look) -> float:
         """Score of a plant that was grown already."""
         image, genome = np.min([look.apart(other, self) for other in self.chosen], axis=0)
         near = min(image / (MARGIN * self.wish.image), 1.0) if self.wish.image > 0 else 1.0
         return float(look.score.total * near * min(genome / (MARGIN * self.wish.genome), 1.0))
-
-
-def _times(score: Score, share: float) -> Score:
-    """Return `score` with a `share` of its total, all of it from 1 on."""
-    return score if share >= 1 else replace(score, total=score.total * share)
