@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -27,13 +26,6 @@ from treefit.search import RandomSearch
 SMALL = ["task=compare", "compare.optimizers=[random,tree_ga]", "compare.evaluations=150", "compare.budgets=[50,100]",
          "compare.hidden=1", "compare.repeats=1", "compare.workers=1", "other_seeds=1", "characteristics.vertices=400",
          "view.resolution=64", "tracking=none"]  # fmt: skip
-
-
-@pytest.fixture(autouse=True)
-def _hydra() -> Iterator[None]:
-    known = HydraConfig.instance().cfg
-    yield
-    HydraConfig.instance().cfg = known
 
 
 @pytest.fixture

@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import logging
 import os
-from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
@@ -31,13 +30,6 @@ from treefit.similarity.measures import agreement
 
 SMALL = ["task=similarities", "similarities.names=[paper,treefit]", "similarities.evaluations=300", "other_seeds=1",
          "characteristics.vertices=400", "view.resolution=64"]  # fmt: skip
-
-
-@pytest.fixture(autouse=True)
-def _hydra() -> Iterator[None]:
-    known = HydraConfig.instance().cfg
-    yield
-    HydraConfig.instance().cfg = known
 
 
 @pytest.fixture

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
 
@@ -38,14 +37,11 @@ TARGETS = cache(targets)
 
 
 @pytest.fixture(autouse=True)
-def _small(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+def _small(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(statistics_collect, "PLANTS", 20)
     monkeypatch.setattr(statistics, "targets", TARGETS)
     for name in ("draw_rate", "draw_marks", "draw_calibration"):  # one test draws them
         monkeypatch.setattr(statistics, name, lambda *told: told[-1].touch())
-    known = HydraConfig.instance().cfg
-    yield
-    HydraConfig.instance().cfg = known
 
 
 def settings(folder: Path, *lines: str) -> DictConfig:
