@@ -67,11 +67,11 @@ def run(cfg: DictConfig) -> None:
     files = _write(found, judged, folder, folder, "statistics", "statistics")
     guess.write(folder / "guess.npz")
     if wanted.renew and generator.family is not None:
-        name = _label(cfg, generator)
-        files += _write(
-            found, judged, generator.family, FIGURES, f"statistics{name}", f"statistics_{generator.name}{name}"
-        )
-        guess.write(generator.family / f"guess{_option(cfg, generator)}.npz")
+        option = _part("generator", cfg.generator, generator.name)
+        likeness = _part("similarity", cfg.similarity, "treefit")
+        figure = f"statistics{option or '_' + generator.name}{likeness}"
+        files += _write(found, judged, generator.family, FIGURES, f"statistics{option}{likeness}", figure)
+        guess.write(generator.family / f"guess{option}.npz")
     facts = {**_facts(found, judged, time.perf_counter() - started), "guess_missed": round(guess.missed, 4)}
     (folder / "statistics.json").write_text(json.dumps(facts, indent=1), encoding="utf-8")
     print(json.dumps({"files": [str(file) for file in files], **facts}), flush=True)
@@ -111,18 +111,8 @@ def _write(
     return files
 
 
-def _label(cfg: DictConfig, generator: Generator) -> str:
-    """End of a name that tells apart statistics of one generator: "" for its own option and the default similarity."""
-    return _option(cfg, generator) + _part("similarity", cfg.similarity, "treefit")
-
-
-def _option(cfg: DictConfig, generator: Generator) -> str:
-    """End of a name that tells apart the options of one generator: "" for its own."""
-    return _part("generator", cfg.generator, generator.name)
-
-
 def _part(group: str, node: DictConfig, usual: str) -> str:
-    """Part of a name: that of the option, "" for the `usual` one, a hash for settings that no option has."""
+    """Part of a file's name: that of the option, "" for the `usual` one, a hash for settings that no option has."""
     name = option_name(group, node) or fingerprint(OmegaConf.to_container(node, resolve=True))
     return "" if name == usual else f"_{name}"
 
