@@ -14,7 +14,7 @@ from experiments.pictures import is_file, is_there
 FILE_KEYS = ("image", "preset", "mask.path")
 FOLDER_KEYS = ("resume", "hydra.run.dir", "hydra.sweep.dir", "tracking.uri", "memory.folder")
 START_KEY = "start"
-PATTERN_KEYS = ("similarities.masks", "compare.masks")
+PATTERN_KEYS = ("similarities.masks", "compare.masks", "masks.pictures", "masks.references")
 OPEN_KEYS = ("values", "generator.fixed", "compare.variants")
 """Tables that may be given any name; Hydra wants a plus for one that is not in the configuration yet."""
 

@@ -31,6 +31,6 @@ def versions() -> str:
 def _plain(setting: str) -> str:
     name, _, value = setting.partition("=")
     value = value.strip("'\"")
-    if name.endswith(".masks"):
+    if name.endswith((".masks", ".pictures", ".references")):
         value = "/".join(Path(value).parts[-2:])
     return f"{name}={value}" if re.fullmatch(r"[\w./:+-]*", value) else f"'{name}={value}'"

@@ -30,6 +30,7 @@ GROUPS = (
 TASKS = {
     "fit": GROUPS,
     "mask": ("mask",),
+    "masks": ("mask",),
     "grow": ("generator", "asset"),
     "sheet": ("generator", "asset"),
     "benchmark": ("generator", "similarity", "view"),
@@ -145,6 +146,18 @@ class Statistics:
 
 
 @dataclass(frozen=True, config=ConfigDict(extra="forbid"))
+class Masks:
+    """What the task masks looks at: files that `pictures` matches, beside masks made by hand, `references`.
+
+    By the extractors `methods` as they are in conf, or by the configured one when None.
+    """
+
+    pictures: Name | None = None
+    references: Name | None = None
+    methods: Annotated[tuple[Name, ...], Field(min_length=1)] | None = None
+
+
+@dataclass(frozen=True, config=ConfigDict(extra="forbid"))
 class Sheet:
     """What the task sheet draws: parameters by `names`, all when None; presets on `seeds` seeds; `height` of a cell."""
 
@@ -192,6 +205,7 @@ class Settings:
     statistics: Statistics = field(default_factory=Statistics)
     objective: ObjectiveSettings = field(default_factory=ObjectiveSettings)
     seeds: SeedList = None
+    masks: Masks = field(default_factory=Masks)
     sheet: Sheet = field(default_factory=Sheet)
     strip: Strip = field(default_factory=Strip)
 

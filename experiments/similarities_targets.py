@@ -27,7 +27,7 @@ def read_targets(pattern: str | None, extractor: DictConfig, setting: str = "sim
         find = cast(Extractor, build(extractor, "mask"))
         return {Path(name).stem: find(read_picture(EXAMPLES / name)).mask for name in examples()}
     targets: dict[str, Mask] = {}
-    for file in _files(pattern, setting):
+    for file in matching(pattern, setting):
         name = file.stem.removeprefix("mask_")
         if name in targets:
             raise UserError(f"{setting}: two files are named {name!r}; rename one, {file} for example")
@@ -37,7 +37,8 @@ def read_targets(pattern: str | None, extractor: DictConfig, setting: str = "sim
     return targets
 
 
-def _files(pattern: str, setting: str) -> list[Path]:
+def matching(pattern: str, setting: str) -> list[Path]:
+    """Files that `pattern`, the value of `setting`, matches, in order; UserError when none does."""
     found = glob.glob(os.path.expanduser(pattern), recursive=True)  # noqa: PTH111, PTH207  as in command_line.py
     files = sorted(Path(file) for file in found if Path(file).is_file())
     if not files:
