@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import cast
 
@@ -20,6 +20,7 @@ from omegaconf.errors import OmegaConfBaseException
 from experiments import names  # noqa: F401  the configuration needs its resolver
 from experiments.build import build
 from experiments.errors import UserError, blame, did_you_mean, one_line
+from experiments.extractor import build_extractor
 from experiments.preset import find_preset
 from experiments.run_folder import settle
 from experiments.settings import TASKS, Settings, Strip, read_settings
@@ -27,6 +28,9 @@ from experiments.sheet_values import choose
 from experiments.start import find_start
 from experiments.strip_growth import shown_parameter
 from treefit.plant import Generator
+
+BUILDERS: dict[str, Callable[[DictConfig, str], object]] = {"mask": build_extractor}
+"""What builds a group, where it is not `build`."""
 
 CONFIG_FOLDER = Path(__file__).parents[1] / "conf"
 
@@ -63,7 +67,7 @@ def _check_values(overrides: list[Override], cfg: DictConfig) -> None:
     for group in sorted(settled, key=lambda group: group not in touched):  # what the user set is told first
         node = settled[group]
         if OmegaConf.is_dict(node) and "_target_" in node and (group in TASKS[task] or group in touched):
-            build(node, str(group))
+            BUILDERS.get(str(group), build)(node, str(group))
     _check_of_generator(settled, settings)
 
 

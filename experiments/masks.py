@@ -14,9 +14,9 @@ from hydra.core.hydra_config import HydraConfig
 from omegaconf import DictConfig
 from PIL import Image
 
-from experiments.build import build
 from experiments.check import CONFIG_FOLDER
 from experiments.errors import UserError, did_you_mean
+from experiments.extractor import build_extractor, without_help
 from experiments.masks_measure import Found
 from experiments.masks_page import means, page
 from experiments.masks_sheet import sheet
@@ -56,14 +56,14 @@ def run(cfg: DictConfig) -> None:
 def _extractors(names: Sequence[str] | None, configured: DictConfig) -> dict[str, Extractor]:
     """Extractors by name: those in conf, or the configured one alone."""
     if names is None:
-        return {option_name("mask", configured) or "mask": cast(Extractor, build(configured, "mask"))}
+        return {option_name("mask", without_help(configured)) or "mask": build_extractor(configured, "mask")}
     known = [file.stem for file in (CONFIG_FOLDER / "mask").glob("*.yaml")]
     found = {}
     for name in names:
         if name not in known:
             raise UserError(f"masks.methods: no mask {name!r}{did_you_mean(name, known)}")
         node = compose(config_name="config", overrides=[f"mask={name}"]).mask
-        found[name] = cast(Extractor, build(node, f"masks.methods: {name}"))
+        found[name] = build_extractor(node, f"masks.methods: {name}")
     return found
 
 

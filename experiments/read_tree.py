@@ -5,14 +5,12 @@ from __future__ import annotations
 import logging
 from dataclasses import dataclass
 from pathlib import Path
-from typing import cast
 
 from omegaconf import DictConfig
 from PIL import Image
 
-from experiments.build import build
+from experiments.extractor import build_extractor
 from treefit.image import Extraction, Picture, overlay, read_picture, write_mask
-from treefit.image.extraction import Extractor
 
 _log = logging.getLogger(__name__)
 
@@ -34,7 +32,7 @@ class ReadTree:
 def read_tree(cfg: DictConfig, folder: Path) -> ReadTree:
     """Read cfg.image, find the tree, write mask.png and mask_overlay.png to `folder`, say every warning."""
     picture = read_picture(cfg.image)
-    extraction = cast(Extractor, build(cfg.mask, "mask"))(picture)
+    extraction = build_extractor(cfg.mask, "mask")(picture)
     write_mask(extraction.mask, folder / "mask.png")
     Image.fromarray(overlay(picture, extraction.mask)).save(folder / "mask_overlay.png")
     tree = ReadTree(Path(cfg.image).name, picture, extraction)

@@ -5,14 +5,13 @@ from __future__ import annotations
 import glob
 import os
 from pathlib import Path
-from typing import cast
 
 from omegaconf import DictConfig
 
-from experiments.build import build
 from experiments.errors import UserError, blame
+from experiments.extractor import build_extractor
 from experiments.pictures import EXAMPLES, examples
-from treefit.image import Extractor, read_picture
+from treefit.image import read_picture
 from treefit.image.read import read_mask_file
 from treefit.mask import Mask
 from treefit.view.frame import place
@@ -24,7 +23,7 @@ def read_targets(pattern: str | None, extractor: DictConfig, setting: str = "sim
     None: those that `extractor` finds in the example pictures.
     """
     if pattern is None:
-        find = cast(Extractor, build(extractor, "mask"))
+        find = build_extractor(extractor, "mask")
         return {Path(name).stem: find(read_picture(EXAMPLES / name)).mask for name in examples()}
     targets: dict[str, Mask] = {}
     for file in matching(pattern, setting):

@@ -48,10 +48,32 @@ def test_other_values_are_named_with_what_is_meant(tmp_path: Path) -> None:
         read_mask_file(tmp_path / "grey.png")
 
 
-def test_a_colour_picture_is_no_mask_file(tmp_path: Path) -> None:
-    Image.new("RGB", (20, 20), "green").save(tmp_path / "colour.png")
-    with pytest.raises(PictureError, match="0 background, 1 branch, 2 foliage; this file has mode RGB"):
+@pytest.mark.parametrize("mode", ["RGB", "RGBA", "P"])
+def test_a_mask_saved_by_a_paint_program_in_the_palettes_colours_is_read(tmp_path: Path, mode: str) -> None:
+    write_mask(small_tree(), tmp_path / "mask.png")
+    with Image.open(tmp_path / "mask.png") as image:
+        colours = image.convert("RGB")
+    (colours.quantize(5) if mode == "P" else colours.convert(mode)).save(tmp_path / "painted.png")
+    assert np.array_equal(read_mask_file(tmp_path / "painted.png"), small_tree())
+
+
+def test_soft_brushes_nearly_right_colours_and_clear_ground_are_understood(tmp_path: Path) -> None:
+    pixels = np.zeros((200, 100, 4), np.uint8)
+    pixels[small_tree() == FOLIAGE] = (70, 170, 50, 255)
+    pixels[small_tree() == BRANCH] = (130, 80, 70, 255)
+    image = Image.fromarray(pixels).resize((400, 800)).resize((100, 200))
+    image.save(tmp_path / "painted.png")
+    assert (read_mask_file(tmp_path / "painted.png") == small_tree()).mean() > 0.99
+
+
+@pytest.mark.parametrize("colour", ["black", "green", "orange"])
+def test_a_picture_of_other_colours_is_no_mask_file(tmp_path: Path, colour: str) -> None:
+    Image.new("RGB", (20, 20), colour).save(tmp_path / "colour.png")
+    with pytest.raises(
+        PictureError, match=r"0 background, 1 branch, 2 foliage, or the colours .* \(76, 153, 60\)"
+    ) as caught:
         read_mask_file(tmp_path / "colour.png")
+    assert "mode RGB and other colours" in str(caught.value)
 
 
 def test_a_mask_of_another_scale_is_resized_without_new_classes(tmp_path: Path) -> None:

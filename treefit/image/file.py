@@ -25,15 +25,16 @@ class FileMask:
     def __call__(self, picture: Picture) -> Extraction:
         """Extraction with the user's mask."""
         mask = read_mask_file(self.path)
-        if mask.shape != picture.shape:
-            self._check_aspect(mask.shape, picture.shape)
+        check_aspect("mask", self.path, mask.shape, picture.shape)
         resized = resize_mask(mask, picture.shape)
         return Extraction(resized, "file", 1.0, f"the mask file {self.path.name} was given", judge(resized))
 
-    def _check_aspect(self, mask_shape: tuple[int, int], shape: tuple[int, int]) -> None:
-        (height, width), (target_height, target_width) = mask_shape, shape
-        if abs(width * target_height / (height * target_width) - 1) > ASPECT_TOLERANCE:
-            raise PictureError(
-                f"{self.path}: the mask is {width} x {height} pixels and the picture {target_width} x "
-                f"{target_height}: their shapes differ; give a mask of the whole picture"
-            )
+
+def check_aspect(what: str, path: Path, own: tuple[int, int], shape: tuple[int, int]) -> None:
+    """PictureError when a file of size `own` (h, w) cannot belong to a picture of `shape`, whatever their scales."""
+    (height, width), (target_height, target_width) = own, shape
+    if abs(width * target_height / (height * target_width) - 1) > ASPECT_TOLERANCE:
+        raise PictureError(
+            f"{path}: the {what} is {width} x {height} pixels and the picture {target_width} x "
+            f"{target_height}: their shapes differ; give a {what} of the whole picture"
+        )

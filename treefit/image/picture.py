@@ -53,6 +53,12 @@ def shrink(picture: Picture, size: int) -> Picture:
     return Picture(_resize(picture.rgb, width, height), alpha, picture.notes, picture.path)
 
 
+def cut_out(picture: Picture, rows: slice, columns: slice) -> Picture:
+    """The part of `picture` in `rows` and `columns`."""
+    alpha = None if picture.alpha is None else np.ascontiguousarray(picture.alpha[rows, columns])
+    return Picture(np.ascontiguousarray(picture.rgb[rows, columns]), alpha, picture.notes, picture.path)
+
+
 def _resize(pixels: NDArray[np.uint8], width: int, height: int) -> NDArray[np.uint8]:
     resized = Image.fromarray(pixels).resize((width, height), Image.Resampling.BOX)
     return np.asarray(resized, dtype=np.uint8)

@@ -15,10 +15,19 @@ from treefit.mask import PALETTE, Mask, check_mask
 PIXEL_LIMIT = 50_000_000
 SIXTEEN_BIT_MODES = ("I", "I;16", "I;16B", "I;16L", "I;16N", "F")
 INDEX_MODES = ("P", "L", "1")
+COLOUR_MODES = ("P", "PA", "RGB", "RGBA", "CMYK", "YCbCr")
+PALETTE_TOLERANCE, LEAST_IN_PALETTE = 48, 0.97
+"""Greatest distance of a colour to one of PALETTE; share of the pixels that keep it: brushes have soft rims."""
+
+HEIC_BRANDS = (b"heic", b"heix", b"hevc", b"heim", b"heis", b"mif1", b"msf1")
 
 
 class PictureError(ValueError):
     """The picture cannot be used; the message is one line saying why and what to do instead."""
+
+
+class NoTreeError(PictureError):
+    """The picture can be used, but nothing in it looks like a tree."""
 
 
 def read_picture(path: Path | str) -> Picture:
@@ -38,24 +47,38 @@ def read_picture(path: Path | str) -> Picture:
 
 
 def read_mask_file(path: Path | str) -> Mask:
-    """Mask from an image file whose pixel values are 0 background, 1 branch, 2 foliage."""
+    """Mask from an image file: pixel values 0 background, 1 branch, 2 foliage, or nearly the colours of PALETTE."""
     path = Path(path)
     try:
         with _open(path) as image:
             mode, values = image.mode, np.asarray(image)
+            mask = _by_palette(image) if mode in COLOUR_MODES else None
     except PictureError:
         raise
     except Exception as error:  # as in read_picture
         raise PictureError(f"{path}: the mask file is damaged or cut off ({_one_line(error)})") from error
+    if mask is not None:
+        return mask
     if mode not in INDEX_MODES:
         raise PictureError(
-            f"{path}: a mask file needs a palette or one grey channel with pixel values 0 background, 1 branch, "
-            f"2 foliage; this file has mode {mode}"
+            f"{path}: a mask file has pixel values 0 background, 1 branch, 2 foliage, or the colours (r, g, b) "
+            f"{', '.join(str(colour) for colour in PALETTE)} of these; this file has mode {mode} and other colours"
         )
     try:
         return check_mask(values.astype(np.uint8))
     except ValueError as error:
         raise PictureError(f"{path}: {error}") from None
+
+
+def _by_palette(image: Image.Image) -> Mask | None:
+    """Mask by the nearest colours of PALETTE, what is transparent being background; None for other colours."""
+    rgb = _on_white(np.asarray(image.convert("RGBA")))
+    mask, nearest = np.zeros(rgb.shape[:2], np.uint8), np.full(rgb.shape[:2], 2**30, np.int32)
+    for kind, colour in enumerate(PALETTE):
+        distance = sum((rgb[..., channel].astype(np.int32) - colour[channel]) ** 2 for channel in range(3))
+        mask[distance < nearest] = kind
+        np.minimum(nearest, distance, out=nearest)
+    return mask if (nearest <= PALETTE_TOLERANCE**2).mean() >= LEAST_IN_PALETTE else None
 
 
 def write_mask(mask: Mask, path: Path | str) -> None:
@@ -83,7 +106,8 @@ def _open(path: Path) -> Image.Image:
     except PermissionError:
         raise PictureError(f"{path}: no permission to read the file") from None
     except Exception as error:  # as in read_picture
-        raise PictureError(f"{path}: not a picture that can be read; give a PNG, JPEG or WebP file") from error
+        reason = "HEIC is not read" if _is_heic(path) else "not a picture that can be read"
+        raise PictureError(f"{path}: {reason}; give a PNG, JPEG or WebP file") from error
     if image.width * image.height > PIXEL_LIMIT:
         image.close()
         raise PictureError(_too_large(path, f"{image.width} x {image.height} = {_millions(image)}"))
@@ -91,6 +115,12 @@ def _open(path: Path) -> Image.Image:
         image.close()
         raise PictureError(f"{path}: EPS is not read; save the picture as PNG")
     return image
+
+
+def _is_heic(path: Path) -> bool:
+    with path.open("rb") as file:
+        start = file.read(12)
+    return start[4:8] == b"ftyp" and start[8:] in HEIC_BRANDS
 
 
 def _too_large(path: Path, found: str) -> str:

@@ -6,7 +6,7 @@ import numpy as np
 from skimage.measure import label, regionprops
 
 from treefit.image.picture import Picture
-from treefit.image.read import PictureError
+from treefit.image.read import NoTreeError, PictureError
 from treefit.mask import BACKGROUND, Mask
 
 LEAST_SIDE = 8
@@ -30,11 +30,11 @@ def check_picture(picture: Picture) -> None:
 
 
 def judge(mask: Mask) -> tuple[str, ...]:
-    """Warnings about `mask`, most harmful first; PictureError when there is no tree in it at all."""
+    """Warnings about `mask`, most harmful first; NoTreeError when there is no tree in it at all."""
     tree = mask != BACKGROUND
     share = float(tree.mean())
     if share == 0.0:
-        raise PictureError(f"no tree was found in the picture; {CURE}")
+        raise NoTreeError(f"no tree was found in the picture; {CURE}")
     found = []
     if share < LEAST_TREE:
         found.append(f"almost no tree: {share:.2%} of the pixels; {CURE}")
