@@ -1,6 +1,6 @@
 """Train the network of mask=network on painted scenes, and write it as ONNX; killed, the same command goes on.
 
-Usage: python -m scripts.train_mask_network [--folder runs/mask_network] [--minutes 150] [--steps 9000 ...]
+Usage: python -m scripts.train_mask_network [--folder runs/mask_network] [--minutes 150] [--steps 6000 ...]
 Needs: python -m pip install -e ".[train]"
 """
 

@@ -14,13 +14,13 @@ class Plan:
     """
 
     seed: int = 0
-    steps: int = 9000
+    steps: int = 6000
     batch: int = 16
     size: int = 256  # pixels of the longer side of what the network sees
     canvas: int = 288  # pixels of a painted scene: larger, so that crops stay sharp
     width: int = 24  # channels of the first level
     scenes: int = 1024
-    views: int = 2
+    views: int = 3
     rate: float = 2e-3
     warmup: int = 200  # steps until the rate is reached
     decay: float = 0.01  # of AdamW
