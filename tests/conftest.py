@@ -42,3 +42,12 @@ def coordinates(height: int, width: int) -> tuple[NDArray[np.float64], NDArray[n
     """X and y (up) of the pixel centres in heights."""
     columns, rows = np.meshgrid(np.arange(width) + 0.5, np.arange(height) + 0.5)
     return (columns - width / 2) / height, 1 - rows / height
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_finish(session: pytest.Session) -> None:
+    """Tests of all workers begin when each has done this."""
+    from tests.kernels import MANY, compile_share
+
+    if len(session.items) > MANY:
+        compile_share()

@@ -1,7 +1,7 @@
 """The shape of the house: who may import whom, how long a file is, which names are banned."""
 
 import ast
-from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -19,14 +19,22 @@ def name(path: Path) -> str:
     return path.relative_to(ROOT).as_posix()
 
 
-def imported(path: Path) -> Iterator[str]:
-    """Yield the modules that a file imports anywhere in it."""
-    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+@cache
+def imported(path: Path) -> list[str]:
+    """Modules that a file imports anywhere in it."""
+    found: list[str] = []
+    for node in ast.walk(parsed(path)):
         if isinstance(node, ast.Import):
-            yield from (alias.name for alias in node.names)
+            found += (alias.name for alias in node.names)
         elif isinstance(node, ast.ImportFrom):
             assert node.level == 0, f"{name(path)}: imports are absolute"
-            yield str(node.module)
+            found.append(str(node.module))
+    return found
+
+
+@cache
+def parsed(path: Path) -> ast.Module:
+    return ast.parse(path.read_text(encoding="utf-8"))
 
 
 def within(room: str) -> list[Path]:
@@ -75,7 +83,7 @@ def test_only_one_room_knows_each_foreign_system() -> None:
 
 def test_mlflow_is_imported_in_one_file_and_only_when_it_is_used() -> None:
     for path in within("treefit/tracking/"):
-        top = ast.parse(path.read_text(encoding="utf-8")).body
+        top = parsed(path).body
         at_start = [node.module for node in top if isinstance(node, ast.ImportFrom)]
         assert not [module for module in at_start if _is(str(module), ("mlflow",))], name(path)
     users = {name(path) for path in within("treefit/tracking/") if any(_is(m, ("mlflow",)) for m in imported(path))}
@@ -97,7 +105,7 @@ def test_file_has_one_idea(path: Path) -> None:
     text = path.read_text(encoding="utf-8")
     assert len(text.splitlines()) <= LONGEST
     assert path.stem not in BANNED_NAMES
-    tree = ast.parse(text)
+    tree = parsed(path)
     if not name(path).startswith("tests/"):
         assert ast.get_docstring(tree), "a file begins with a sentence on its place"
     calls = [ast.unparse(node.func) for node in ast.walk(tree) if isinstance(node, ast.Call)]

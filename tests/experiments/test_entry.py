@@ -2,6 +2,7 @@ import json
 import os
 import subprocess
 import sys
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -9,8 +10,7 @@ import pytest
 from PIL import Image, ImageDraw
 
 from experiments import entry
-
-ROOT = Path(__file__).parents[2]
+from tests.experiments.program import RUN, Done, finish, run_program
 
 
 @pytest.fixture
@@ -24,16 +24,16 @@ def here(tmp_path: Path) -> Path:
     return tmp_path
 
 
-def run(here: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
-    command = [sys.executable, str(ROOT / "run.py"), *arguments]
-    return subprocess.run(
-        command, cwd=here, capture_output=True, text=True, timeout=120, env={**os.environ, "PYTHONUTF8": "1"}
-    )
+def start(here: Path, *arguments: str) -> Done:
+    """The program as a process of its own."""
+    command, place = [sys.executable, str(RUN), *arguments], {**os.environ, "PYTHONUTF8": "1"}
+    done = subprocess.run(command, cwd=here, capture_output=True, text=True, timeout=120, env=place)
+    return Done(done.returncode, done.stdout, done.stderr)
 
 
 def test_mask_of_a_picture_with_a_difficult_name(here: Path) -> None:
-    done = run(here, "task=mask", "image=été, [a=1] (2).png", "hydra.run.dir=my out")
-    assert done.returncode == 0, done.stderr
+    done = start(here, "task=mask", "image=été, [a=1] (2).png", "hydra.run.dir=my out")
+    assert done.status == 0, done.stderr
     told = json.loads(done.stdout.splitlines()[-1])
     assert set(told) == {"method", "confidence", "warnings", "tree_fraction"}
     with Image.open(here / "my out" / "mask.png") as mask:
@@ -46,11 +46,13 @@ def test_mask_of_a_picture_with_a_difficult_name(here: Path) -> None:
     assert written - {"run.log"} == {"mask.png", "mask_overlay.png", "config.yaml"}
 
 
-@pytest.mark.parametrize("arguments", [("image=text.png", "task=mask"), ("image=text.png", "optimizer.evaluations=-5")])
-def test_wrong_input_is_one_line_and_leaves_nothing(here: Path, arguments: tuple[str, ...]) -> None:
+@pytest.mark.parametrize(("run", "setting"), [(run_program, "task=mask"), (start, "optimizer.evaluations=-5")])
+def test_wrong_input_is_one_line_and_leaves_nothing(
+    here: Path, run: Callable[[Path, str, str], Done], setting: str
+) -> None:
     before = sorted(here.iterdir())
-    done = run(here, *arguments)
-    assert done.returncode == 2
+    done = run(here, "image=text.png", setting)
+    assert done.status == 2
     assert done.stdout == ""
     assert len(done.stderr.splitlines()) == 1
     assert done.stderr.startswith("error: ")
@@ -58,8 +60,8 @@ def test_wrong_input_is_one_line_and_leaves_nothing(here: Path, arguments: tuple
 
 
 def test_sweep_goes_on_after_a_failure_and_its_status_tells(here: Path) -> None:
-    done = run(here, "-m", "task=mask", "image=*.png", "hydra.sweep.dir=out")
-    assert done.returncode == 1
+    done = run_program(here, "-m", "task=mask", "image=*.png", "hydra.sweep.dir=out")
+    assert done.status == 1
     assert "Traceback" not in done.stderr
     assert done.stderr.count("error: ") == 1
     assert "1 of 2 runs done, 1 failed" in done.stdout
@@ -70,8 +72,7 @@ def test_sweep_goes_on_after_a_failure_and_its_status_tells(here: Path) -> None:
 
 
 def test_help_names_every_group_and_task(here: Path) -> None:
-    done = run(here, "--help")
-    assert done.returncode == 0
+    done = finish(here, "--help")
     for word in ("python run.py image=pine.png", "benchmark", "simplegen", "tree_ga", "mlflow", "outputs/"):
         assert word in done.stdout
 

@@ -14,20 +14,16 @@ from pathlib import Path
 import pytest
 import yaml
 
-RUN = Path(__file__).parents[2] / "run.py"
+from tests.experiments.program import RUN, Done, finish
+
 SMALL = ["image=pine.png", "tracking=none", "optimizer.evaluations=1500", "optimizer.generations=10",
-         "characteristics.vertices=400", "view.resolution=64", "other_seeds=2", "candidates.within=0.5"]  # fmt: skip
+         "characteristics.vertices=400", "view.resolution=64", "other_seeds=2", "candidates.within=0.5",
+         "asset.picture_size=64"]  # fmt: skip
 FILES = ("candidates/1/preset.yaml", "candidates/3/preset.yaml", "candidates/2/mask.png", "candidates/1/tree.glb")
 
 
-def command(folder: Path, *settings: str) -> list[str]:
-    return [sys.executable, str(RUN), f"hydra.run.dir={folder}", *settings]
-
-
-def run(folder: Path, *settings: str) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        command(folder, *settings), cwd=folder.parent, capture_output=True, text=True, check=True, timeout=170
-    )
+def run(folder: Path, *settings: str) -> Done:
+    return finish(folder.parent, f"hydra.run.dir={folder}", *settings)
 
 
 def result(folder: Path) -> list[object]:
@@ -82,9 +78,8 @@ def test_the_same_seed_gives_the_same_bytes_on_two_workers(done: Path) -> None:
 
 def test_a_killed_run_goes_on_to_the_same_bytes(done: Path) -> None:
     folder = done.parent / "killed"
-    with subprocess.Popen(
-        command(folder, *SMALL), cwd=done.parent, start_new_session=True, stderr=subprocess.DEVNULL
-    ) as child:
+    command = [sys.executable, str(RUN), f"hydra.run.dir={folder}", *SMALL]
+    with subprocess.Popen(command, cwd=done.parent, start_new_session=True, stderr=subprocess.DEVNULL) as child:
         log, deadline = folder / "history.jsonl", time.monotonic() + 100
         while not (log.exists() and log.read_bytes().count(b"\n") >= 8):
             assert child.poll() is None, "the run ended before it could be killed"
@@ -92,7 +87,7 @@ def test_a_killed_run_goes_on_to_the_same_bytes(done: Path) -> None:
             time.sleep(0.005)
         os.killpg(child.pid, signal.SIGKILL)
     assert not (folder / "summary.json").exists()
-    subprocess.run([sys.executable, str(RUN), f"resume={folder}"], cwd=done.parent, check=True, capture_output=True)
+    finish(done.parent, f"resume={folder}")
     assert result(folder) == result(done)
 
 

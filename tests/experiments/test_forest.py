@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import json
-import subprocess
-import sys
 from pathlib import Path
 
 import numpy as np
@@ -17,10 +15,10 @@ from experiments.errors import UserError
 from experiments.forest import write_forest
 from experiments.seeds import read_seeds
 from generators.simplegen import SimpleGen
+from tests.experiments.program import finish
 from treefit.asset import AssetSettings
 from treefit.plant import Budget, Plant, Value, Values
 
-RUN = Path(__file__).parents[2] / "run.py"
 SMALL: dict[str, Value] = {"levels": 2, "branch_count_0": 6}
 PICTURES = AssetSettings(picture_size=64, sides=3)
 
@@ -93,8 +91,7 @@ def test_seeds_that_have_no_tree_at_all_are_an_error(tmp_path: Path, monkeypatch
 
 def test_grow_makes_variations_and_lists_their_files(tmp_path: Path) -> None:
     settings = ["task=grow", "seeds=4..5", "values={levels: 2, branch_count_0: 6}", "asset.picture_size=64"]
-    done = subprocess.run([sys.executable, str(RUN), f"hydra.run.dir={tmp_path / 'run'}", *settings], cwd=tmp_path,
-                          capture_output=True, text=True, check=True, timeout=170)  # fmt: skip
+    done = finish(tmp_path, f"hydra.run.dir={tmp_path / 'run'}", *settings)
     facts = json.loads(done.stdout.splitlines()[-1])
     assert list(facts["trees"]) == ["4", "5"]
     files = [facts["sheet"], *(path for tree in facts["trees"].values() for path in tree.values())]

@@ -3,9 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
-import subprocess
-import sys
 from collections.abc import Mapping
 from pathlib import Path
 from typing import ClassVar
@@ -18,9 +15,8 @@ from experiments.errors import UserError
 from experiments.preset import find_preset
 from generators.simplegen import SimpleGen
 from generators.weberpenn import WeberPennGen
+from tests.experiments.program import finish
 from treefit.plant import Preset, write_preset
-
-RUN = Path(__file__).parents[2] / "run.py"
 
 
 class Named(SimpleGen):
@@ -76,10 +72,9 @@ def test_the_preset_is_checked_before_anything_runs() -> None:
 
 
 def test_grow_takes_a_preset_by_name_on_another_seed(tmp_path: Path) -> None:
-    command = [sys.executable, str(RUN), "hydra.run.dir=out", "task=grow", "generator=weberpenn",
-               "preset=quaking_aspen", "seed=8", "asset.picture_size=64", "values={levels: 2}"]  # fmt: skip
-    done = subprocess.run(command, capture_output=True, text=True, timeout=170, env=dict(os.environ))
-    assert (done.returncode, done.stderr) == (0, "")
+    done = finish(tmp_path, "hydra.run.dir=out", "task=grow", "generator=weberpenn", "preset=quaking_aspen", "seed=8",
+                  "asset.picture_size=64", "values={levels: 2}")  # fmt: skip
+    assert done.stderr == ""
     facts = json.loads(done.stdout.splitlines()[-1])
     assert (facts["seed"], facts["generator"]) == (8, "weberpenn")
     written = yaml.safe_load(Path("out/preset.yaml").read_text(encoding="utf-8"))

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import json
-import subprocess
-import sys
 from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
@@ -25,13 +23,13 @@ from experiments.sheet_presets import preset_pages
 from experiments.sheet_shown import first_shown, stages
 from experiments.sheet_values import choose, nearest, steps, written
 from generators.simplegen import SimpleGen
+from tests.experiments.program import finish
 from tests.failing import Failing
 from treefit.asset import AssetSettings
 from treefit.asset.font import fitted, font
 from treefit.asset.frame import BASE_SHARE
 from treefit.plant import Parameter, ParameterSpace, Plant, Preset, Value
 
-RUN = Path(__file__).parents[2] / "run.py"
 MASKS, BOTH = Drawing(AssetSettings(), "mask", 100, 100), Drawing(AssetSettings(), "both", 100, 60)
 SMALL: dict[str, Value] = {"levels": 3, "branch_count_0": 8}
 
@@ -231,9 +229,8 @@ def test_text_keeps_to_its_room() -> None:
 
 
 def test_the_task_writes_its_pages_and_tells_them_last(tmp_path: Path) -> None:
-    command = [sys.executable, str(RUN), "task=sheet", "hydra.run.dir=out", "sheet.height=64",
-               "sheet.names=[branch_len_3, whorl]", "values={levels: 3}"]  # fmt: skip
-    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=True, timeout=170)
+    done = finish(tmp_path, "task=sheet", "hydra.run.dir=out", "sheet.height=64", "sheet.names=[branch_len_3, whorl]",
+                  "values={levels: 3}")  # fmt: skip
     told = json.loads(done.stdout.splitlines()[-1])
     assert told["files"] == [str(tmp_path / "out" / "parameters.png")]
     assert (told["unseen"], told["failed"]) == (["branch_len_3"], [])

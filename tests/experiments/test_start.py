@@ -4,9 +4,6 @@ from __future__ import annotations
 
 import json
 import logging
-import os
-import subprocess
-import sys
 from pathlib import Path
 
 import numpy as np
@@ -22,6 +19,7 @@ from experiments.start_settings import MemorySettings
 from generators.simplegen import SimpleGen
 from generators.weberpenn import WeberPennGen
 from tests.conftest import blob
+from tests.experiments.program import finish
 from treefit.candidates import judge
 from treefit.fit import aim
 from treefit.plant import write_preset
@@ -29,7 +27,6 @@ from treefit.plant.characteristics import Characteristics
 from treefit.similarity import Mix
 from treefit.view import OrthographicView
 
-RUN = Path(__file__).parents[2] / "run.py"
 SMALL = ["tracking=none", "optimizer.evaluations=200", "optimizer.generations=10", "characteristics.vertices=400",
          "view.resolution=64", "other_seeds=0", "candidates.count=1", "asset.picture_size=64"]  # fmt: skip
 
@@ -129,9 +126,7 @@ def test_a_memory_that_cannot_be_written_or_read_costs_one_line(caplog: pytest.L
 
 def test_a_second_fit_begins_where_the_first_one_ended(tmp_path: Path) -> None:
     def run(folder: str, *more: str) -> float:
-        command = [sys.executable, str(RUN), f"hydra.run.dir={folder}", "image=pine.png", *SMALL, *more]
-        done = subprocess.run(command, capture_output=True, text=True, timeout=170, env=dict(os.environ))
-        assert done.returncode == 0, done.stderr
+        finish(tmp_path, f"hydra.run.dir={folder}", "image=pine.png", *SMALL, *more)
         return float(json.loads(Path(folder, "summary.json").read_text(encoding="utf-8"))["score"])
 
     first = run("one", "memory.use=true")

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import json
-import subprocess
-import sys
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -24,11 +22,11 @@ from experiments.strip_growth import Growth, shown_parameter
 from experiments.strip_page import WIDEST, strip_page
 from experiments.strip_rows import Place, arranged
 from generators.simplegen import SimpleGen
+from tests.experiments.program import finish
 from treefit.asset import AssetSettings
 from treefit.plant import Budget, Parameter, ParameterSpace, Plant, Preset, Value, Values
 from treefit.plant.extent import extent_of
 
-RUN = Path(__file__).parents[2] / "run.py"
 AGE = Parameter("age", 10, 24, 18, "years", kind="int", least=1)
 SMALL: dict[str, Value] = {"levels": 2, "branch_count_0": 6, "branching_start_0": 0.5}
 MASKS = Strip(look="mask", height=100)
@@ -217,9 +215,8 @@ def test_a_wrong_setting_is_told_before_anything_grows(setting: str, message: st
 
 
 def test_the_task_writes_the_strip_beside_the_tree_and_tells_it(tmp_path: Path) -> None:
-    command = [sys.executable, str(RUN), "task=grow", "hydra.run.dir=out", "strip.parameter=branch_len_0",
-               "strip.frames=3", "strip.height=64", "values={levels: 2, branch_count_0: 6}"]  # fmt: skip
-    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=True, timeout=170)
+    done = finish(tmp_path, "task=grow", "hydra.run.dir=out", "strip.parameter=branch_len_0", "strip.frames=3",
+                  "strip.height=64", "values={levels: 2, branch_count_0: 6}")  # fmt: skip
     told = json.loads(done.stdout.splitlines()[-1])
     assert list(told["files"]) == ["tree.glb", "picture.png", "preset.yaml", "strip.png"]
     assert told["strip_failed"] == []

@@ -4,14 +4,12 @@ from __future__ import annotations
 
 import json
 import math
-import os
-import subprocess
-import sys
 from pathlib import Path
 from typing import ClassVar, cast
 
 import pytest
 
+from experiments import benchmark, fidelity, rival_views, speed_study
 from experiments.benchmark import compare_us, measure
 from experiments.fidelity import parts
 from experiments.numbers import rounded
@@ -21,33 +19,43 @@ from experiments.speed_page import Point, page
 from experiments.timing import in_turn
 from experiments.view_fidelity import random_plants
 from generators.simplegen import SimpleGen
+from tests.experiments.program import finish
 from treefit.plant import Budget
 from treefit.similarity import PaperSimilarity
 from treefit.view import Frame, OrthographicView
 
-RUN = Path(__file__).parents[2] / "run.py"
-
 
 def run(here: Path, *settings: str) -> dict[str, object]:
     """Last line of the output of a task."""
-    command = [sys.executable, str(RUN), "hydra.run.dir=out", *settings]
-    place = os.environ | {"PYOPENGL_PLATFORM": "osmesa"}  # which few machines have
-    done = subprocess.run(command, cwd=here, capture_output=True, text=True, check=True, timeout=170, env=place)
-    last: dict[str, object] = json.loads(done.stdout.splitlines()[-1])
+    last: dict[str, object] = json.loads(finish(here, "hydra.run.dir=out", *settings).stdout.splitlines()[-1])
     return last
 
 
+MISSING = "offscreen OpenGL does not work (no library)"
+
+
+@pytest.fixture
+def _no_gl(monkeypatch: pytest.MonkeyPatch) -> None:
+    for module in (fidelity, rival_views):
+        monkeypatch.setattr(module, "gl_missing", lambda: MISSING)
+
+
+@pytest.mark.usefixtures("_no_gl")
 def test_fidelity_writes_what_it_found_and_passes_over_missing_libraries(tmp_path: Path) -> None:
     told = run(tmp_path, "task=fidelity", "fidelity.plants=20", "fidelity.rows=[64]")
     kept = json.loads((tmp_path / "out" / "fidelity.json").read_text(encoding="utf-8"))
     assert kept["plants"] == told["plants"] == 20
     assert {one["rows"] for one in kept["view"]} == {64}
     assert kept["view"][0]["similarity"] == "whole"
-    assert isinstance(kept["pyrender"], dict) or "offscreen OpenGL does not work" in kept["pyrender"]
+    assert kept["pyrender"] == told["pyrender"] == MISSING
     assert kept["view"][0]["spearman_least"] <= kept["view"][0]["spearman"] <= 1
 
 
-def test_speed_study_writes_its_table_and_plot_to_the_run_folder(tmp_path: Path) -> None:
+@pytest.mark.usefixtures("_no_gl")
+def test_speed_study_writes_its_table_and_plot_to_the_run_folder(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(speed_study, "PASSES", 1)
     told = run(tmp_path, "task=speed_study", "speed_study.vertices=[200,400]", "speed_study.rows=[64,128]")
     assert told["table"] == str(tmp_path / "out" / "speed.md")
     text = (tmp_path / "out" / "speed.md").read_text(encoding="utf-8")
@@ -56,7 +64,9 @@ def test_speed_study_writes_its_table_and_plot_to_the_run_folder(tmp_path: Path)
     assert (tmp_path / "out" / "speed.png").stat().st_size > 10_000
 
 
-def test_benchmark_tells_every_part_of_an_evaluation() -> None:
+def test_benchmark_tells_every_part_of_an_evaluation(monkeypatch: pytest.MonkeyPatch) -> None:
+    for name, less in {"TREES": 2, "BATCHES": 1, "LARGE_TREES": 1}.items():
+        monkeypatch.setattr(benchmark, name, less)
     facts = measure(SimpleGen(), OrthographicView(), PaperSimilarity(), 0)
     assert {"evaluations_per_second", "generate_ms", "view_ms", "compare_us", "paper_compare_us", "ns_per_primitive",
             "page_faults", "two_threads_ratio", "azimuths_4_ratio", "zbuffer_ratio", "opencv_ratio",

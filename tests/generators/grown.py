@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from copy import deepcopy
 from dataclasses import dataclass
 
 import numpy as np
@@ -17,6 +18,7 @@ from treefit.plant import Budget, Plant, Value
 
 GENERATOR = GEGen()
 BROAD = Budget(100_000, 400_000)
+ROOM = Scratch()
 OPEN: dict[str, Value] = {"light_right": 0.0, "neighbour_left": 0.0, "neighbour_right": 0.0, "lean": 0.0, "bend": 0.0}
 """A tree upright and alone, under light from above."""
 
@@ -45,17 +47,19 @@ class Grown:
 
 
 def grow(seed: int = 1, **values: Value) -> Grown:
-    """Tree of the defaults and `values`, grown in a room of its own."""
+    """Tree of the defaults and `values`, grown in a room that the generator itself does not use."""
     complete = GENERATOR.space.complete(values)
-    room = Scratch()
+    if ROOM.tree:
+        ROOM.tree[1][:, BORN] = 0  # so that the joints of this tree can be counted
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(generator, "_SCRATCH", room)
+        patch.setattr(generator, "_SCRATCH", ROOM)
         plant = GENERATOR(complete, seed, BROAD)
-    joint, node, axis, stem, _ = room.tree
+    joint, node, axis, stem, _ = ROOM.tree
     n = int(np.count_nonzero(node[:, BORN])) + 1  # the root is of the year 0
     axes = int(node[:n, AXIS].max()) + 1
-    light = _lights(joint[:n], room.light[1], np.float32(CELLS / float(complete["leader"])))
-    return Grown(plant, joint[:n].T, node[:n].T, axis[:axes].T, stem[:axes].T, light)
+    light = _lights(joint[:n], ROOM.light[1], np.float32(CELLS / float(complete["leader"])))
+    # copies: a plant keeps hold of arrays that its whole budget would fit in
+    return Grown(deepcopy(plant), *(part.T.copy() for part in (joint[:n], node[:n], axis[:axes], stem[:axes])), light)
 
 
 def random_values(count: int, first: int = 0, **values: Value) -> list[dict[str, Value]]:

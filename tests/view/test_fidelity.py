@@ -16,7 +16,7 @@ from treefit.plant import Plant
 from treefit.similarity import Mix, PaperSimilarity
 from treefit.view import BitMask, Frame, OrthographicView
 
-PLANTS = 200
+PLANTS = 120
 NOISE = 0.005
 """Of a correlation. At so few rows even the exact view misses the gates where plants are thin and bare."""
 UNCUT = [name for name in GENERATORS if name != "weberpenn_full"]

@@ -7,6 +7,7 @@ from numba import njit
 from scipy.ndimage import gaussian_filter, label
 
 from scripts.mask_training.scenery.arrays import Bools, Classes, Field
+from scripts.mask_training.scenery.kernels import KERNEL
 from scripts.mask_training.scenery.render import Layer
 from treefit.mask import BRANCH, FOLIAGE
 
@@ -66,7 +67,7 @@ def large(mask: Bools, area: float) -> Bools:
     return kept
 
 
-@njit(cache=True, nogil=True)
+@njit(**KERNEL)
 def _grown(mask: Bools, radius: float) -> Bools:
     """`mask` and all pixels within `radius` of it."""
     height, width = mask.shape

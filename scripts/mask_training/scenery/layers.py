@@ -5,9 +5,10 @@ from __future__ import annotations
 from numba import njit
 
 from scripts.mask_training.scenery.arrays import Field, Floats, Image
+from scripts.mask_training.scenery.kernels import KERNEL
 
 
-@njit(cache=True, nogil=True)
+@njit(**KERNEL)
 def over_picture(paint: Floats, colour: Image, opacity: Field) -> None:
     """Lay `colour` (h, w, 3) over `paint` (h, w, 4), whose fourth channel becomes at least `opacity` (h, w)."""
     for r in range(paint.shape[0]):
@@ -19,7 +20,7 @@ def over_picture(paint: Floats, colour: Image, opacity: Field) -> None:
                 paint[r, c, 3] = max(paint[r, c, 3], share)
 
 
-@njit(cache=True, nogil=True)
+@njit(**KERNEL)
 def over_colour(paint: Floats, colour: Floats, opacity: Field) -> None:
     """Lay one `colour` (3,) over `paint` as over_picture does."""
     for r in range(paint.shape[0]):
@@ -31,7 +32,7 @@ def over_colour(paint: Floats, colour: Floats, opacity: Field) -> None:
                 paint[r, c, 3] = max(paint[r, c, 3], share)
 
 
-@njit(cache=True, nogil=True)
+@njit(**KERNEL)
 def darken(paint: Floats, factor: Field) -> None:
     """Multiply the colours of `paint` (h, w, 4) by `factor` (h, w)."""
     for r in range(paint.shape[0]):

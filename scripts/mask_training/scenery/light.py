@@ -8,6 +8,7 @@ import numpy as np
 from numba import njit
 
 from scripts.mask_training.scenery.arrays import Colour, Floats, Rng
+from scripts.mask_training.scenery.kernels import INNER, KERNEL
 
 CELL = 0.042
 """Edge of a voxel of the crown in heights of the tree."""
@@ -53,11 +54,11 @@ def depth_of_leaves(leaf: Floats, area: Floats, places: Floats, direction: Float
     side /= np.linalg.norm(side)
     frame = np.stack([side, np.cross(d, side), d]).astype(np.float32)
     step = 1 + len(leaf) // MOST_LEAVES
-    depth: Floats = _depth(leaf[::step], area[::step] * np.float32(step), places, frame)
+    depth: Floats = _depth(np.ascontiguousarray(leaf[::step]), area[::step] * np.float32(step), places, frame)
     return depth
 
 
-@njit(cache=True, nogil=True)
+@njit(**KERNEL)
 def _depth(leaf: Floats, area: Floats, places: Floats, frame: Floats) -> Floats:
     n = int(2 * REACH / CELL)
     grid = np.zeros((n, n, n), np.float32)
@@ -86,7 +87,7 @@ def _depth(leaf: Floats, area: Floats, places: Floats, frame: Floats) -> Floats:
     return depth
 
 
-@njit(cache=True, nogil=True)
+@njit(**INNER)
 def _turned(places: Floats, i: int, frame: Floats) -> tuple[float, float, float]:
     """Place i in cells along the axes of `frame`."""
     x, y, z = places[i, 0], places[i, 1], places[i, 2] - np.float32(0.5)
@@ -98,6 +99,6 @@ def _turned(places: Floats, i: int, frame: Floats) -> tuple[float, float, float]
     )
 
 
-@njit(cache=True, nogil=True)
+@njit(**INNER)
 def _cell(place: float, n: int) -> int:
     return min(max(int(place), 0), n - 1)

@@ -7,6 +7,7 @@ from numba import njit
 from PIL import Image as Pillow
 
 from scripts.mask_training.scenery.arrays import Field, Floats, Rng
+from scripts.mask_training.scenery.kernels import INNER, KERNEL
 
 
 def fractal(
@@ -39,7 +40,7 @@ def line(width: int, cell: float, rng: Rng, octaves: int = 5, fall: float = 0.5)
     return centred
 
 
-@njit(cache=True, nogil=True)
+@njit(**INNER)
 def _hash(x: int, y: int, seed: int) -> float:
     """Number in [0, 1) of a lattice point."""
     n = np.uint32(x * 374761393 + y * 668265263 + seed * 974634777)
@@ -48,7 +49,7 @@ def _hash(x: int, y: int, seed: int) -> float:
     return float(n & np.uint32(0xFFFFFF)) / 16777216.0
 
 
-@njit(cache=True, nogil=True)
+@njit(**INNER)
 def value_noise(x: float, y: float, seed: int) -> float:
     """Smooth number in [0, 1) at a place of the plane; bumps of length 1."""
     ix, iy = int(np.floor(x)), int(np.floor(y))
@@ -59,7 +60,7 @@ def value_noise(x: float, y: float, seed: int) -> float:
     return top * (1 - fy) + bottom * fy
 
 
-@njit(cache=True, nogil=True)
+@njit(**KERNEL)
 def on_ground(height: int, width: int, horizon: float, frequency: float, octaves: int, seed: int) -> Field:
     """Noise (height, width) of about [-1, 1] on the ground below row `horizon`, finer towards it; 0 above.
 

@@ -96,7 +96,7 @@ def render(model: Model, pose: Pose, look: Look, light: Light, size: int, fine: 
     twig = (radius.sum(axis=1) < LEAST_BRANCH * side).astype(np.uint8)
     bark = _bark(look.bark, light, gain, scale, rng)
     towards = np.array([sun[0], sun[2], -sun[1]], np.float32)
-    draw_stems(ends.astype(np.float32), share, twig, bark, towards, rgb, depth, kind)
+    draw_stems(np.ascontiguousarray(ends, np.float32), share, twig, bark, towards, rgb, depth, kind)
     if look.snow > 0 and len(ends):
         caps = ends.astype(np.float32)
         caps[:, [1, 5]] -= 0.7 * caps[:, [3, 7]]

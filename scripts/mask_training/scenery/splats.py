@@ -6,12 +6,13 @@ import numpy as np
 from numba import njit
 
 from scripts.mask_training.scenery.arrays import Classes, Field, Floats, Image
+from scripts.mask_training.scenery.kernels import KERNEL
 from scripts.mask_training.scenery.noise import value_noise
 
 WOOD, LEAF, TWIG = 1, 2, 3
 
 
-@njit(cache=True, nogil=True)
+@njit(**KERNEL)
 def draw_leaves(
     place: Floats, along: Floats, across: Floats, colour: Floats, square: float, rgb: Image, depth: Field, kind: Classes
 ) -> None:
@@ -42,7 +43,7 @@ def draw_leaves(
                         rgb[r, c, k] = colour[i, k] * tone
 
 
-@njit(cache=True, nogil=True)
+@njit(**KERNEL)
 def draw_stems(
     ends: Floats, light: Floats, level: Classes, bark: Floats, sun: Floats, rgb: Image, depth: Field, kind: Classes
 ) -> None:
@@ -106,7 +107,7 @@ def draw_stems(
                     rgb[r, c, k] = min(1.0, bright) ** 0.4545
 
 
-@njit(cache=True, nogil=True)
+@njit(**KERNEL)
 def dab(picture: Image, dabs: Floats) -> None:
     """Paint ellipses over `picture`, one after the other.
 
@@ -132,7 +133,7 @@ def dab(picture: Image, dabs: Floats) -> None:
                     picture[r, c, k] += (dabs[i, 5 + k] - picture[r, c, k]) * share
 
 
-@njit(cache=True, nogil=True)
+@njit(**KERNEL)
 def shrink(rgb: Image, kind: Classes, factor: int) -> tuple[Image, Field, Field, Field]:
     """Colour of what is drawn, and shares of wood, leaves and twigs, in blocks of `factor` x `factor` pixels."""
     height, width = kind.shape[0] // factor, kind.shape[1] // factor
