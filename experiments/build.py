@@ -78,8 +78,17 @@ def _explain(error: InstantiationException, place: str) -> str:
     while cause.__cause__ is not None:
         cause = cause.__cause__
         if isinstance(cause, ValidationError):
-            return describe_validation(cause, place)
+            return describe_validation(cause, _within(error, place))
     if isinstance(cause, InstantiationException):
         return f"{place}: {one_line(cause).partition(' full_key:')[0]}"
     message = one_line(cause)
     return message if message.startswith(place) else f"{place}: {message}"
+
+
+def _within(error: InstantiationException, place: str) -> str:
+    """`place`, or the place in it that Hydra was building: mask.network."""
+    _, _, key = str(error).partition("full_key: ")
+    inner = key.split()[0] if key.split() else ""
+    if not inner or inner == place or inner.startswith(f"{place}."):
+        return inner or place
+    return f"{place}.{inner}"

@@ -47,6 +47,7 @@ WRONG = {
     "characteristics.height=[5,3]": "characteristics.height: min must not be above max, got 5 and 3",
     "characteristics.width=from_image": "characteristics.width: from_image needs a height, e.g.",
     "memory.size=0": "memory.size: must be greater than or equal to 1, got 0",
+    "mask.network.size=10": "mask.network.size: must be greater than or equal to 64, got 10",
     "memory.cuont=2": "memory.cuont: no such setting; did you mean 'count'?",
     "memory.folder=": "memory.folder: must have at least 1 character, got ''",
     "optimizer.max_population=8": "optimizer.max_population: must not be under min_population, 16, got 8",

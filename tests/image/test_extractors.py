@@ -1,3 +1,5 @@
+import math
+
 import numpy as np
 import pytest
 from PIL import Image, ImageDraw
@@ -103,14 +105,35 @@ def test_a_sketch_with_a_transparent_ground_is_a_sketch() -> None:
     assert class_agreement(found.mask) > 0.9
 
 
+def bare_tree() -> Image.Image:
+    """A black tree that forks into three, five times, without leaves."""
+    image = Image.new("RGB", (400, 400), "white")
+    draw = ImageDraw.Draw(image)
+
+    def grow(x: float, y: float, angle: float, length: float, width: float, forks: int) -> None:
+        end = x + length * math.sin(angle), y - length * math.cos(angle)
+        draw.line((x, y, *end), fill="black", width=max(1, round(width)))
+        for turn in (-0.5, 0.1, 0.55) if forks else ():
+            grow(*end, angle + turn, 0.72 * length, 0.62 * width, forks - 1)
+
+    grow(200, 390, 0, 100, 16, 5)
+    return image
+
+
 def test_a_leafless_tree_is_all_branch() -> None:
+    mask = AutoMask()(picture(bare_tree())).mask
+    assert (mask == BRANCH).mean() > 0.1
+    assert not (mask == FOLIAGE).any()
+
+
+def test_a_sketch_of_mere_strokes_is_all_branch() -> None:
     image = Image.new("RGB", (300, 400), "white")
     draw = ImageDraw.Draw(image)
     draw.line((150, 390, 150, 40), fill="black", width=10)
     for y in range(60, 260, 25):
         draw.line((150, y + 60, 60, y), fill="black", width=4)
         draw.line((150, y + 60, 240, y), fill="black", width=4)
-    mask = AutoMask()(picture(image)).mask
+    mask = SketchMask()(picture(image)).mask
     assert (mask == BRANCH).any()
     assert not (mask == FOLIAGE).any()
 

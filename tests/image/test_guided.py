@@ -1,8 +1,8 @@
 import numpy as np
 
-from treefit.image.belief import decide, expected_overlap, finer
+from treefit.image.belief import expected_overlap, finer
 from treefit.image.guided import upsample
-from treefit.mask import BACKGROUND, BRANCH, FOLIAGE
+from treefit.mask import BACKGROUND, FOLIAGE
 
 DARK, LIGHT = (40, 90, 30), (190, 210, 240)
 
@@ -42,17 +42,11 @@ def test_a_finer_belief_is_still_a_probability() -> None:
     np.testing.assert_allclose(found.sum(axis=2), 1, atol=1e-5)
 
 
-def test_tree_is_decided_by_branch_and_foliage_together() -> None:
-    belief = np.array([[(0.45, 0.3, 0.25), (0.55, 0.3, 0.15), (0.1, 0.2, 0.7)]], np.float32)
-    assert decide(belief, 0.5).tolist() == [[BRANCH, BACKGROUND, FOLIAGE]]
-    assert decide(belief, np.array([[0.6, 0.4, 0.9]], np.float32)).tolist() == [[BACKGROUND, BRANCH, FOLIAGE]]
-
-
 def test_the_expected_overlap_is_that_of_draws_from_the_belief() -> None:
     rng = np.random.default_rng(2)
     tree = rng.random((200, 200))
     belief = np.stack((1 - tree, np.zeros_like(tree), tree), axis=-1).astype(np.float32)
-    mask = decide(belief, 0.5)
+    mask = np.where(tree > 0.5, FOLIAGE, BACKGROUND).astype(np.uint8)
     drawn = rng.random(tree.shape) < tree
     overlap = (drawn & (mask > 0)).sum() / (drawn | (mask > 0)).sum()
     assert abs(expected_overlap(belief, mask) - overlap) < 0.02

@@ -8,6 +8,7 @@ from PIL import Image, ImageDraw
 from tests.image.scene import LEFT, RIGHT, overlap, scene, truth
 from treefit.image import ColourMask, Extraction, Help, HelpedMask, Picture, PictureError
 from treefit.image.read import NoTreeError
+from treefit.image.resize import resize_mask
 from treefit.mask import BRANCH, FOLIAGE, Mask
 
 OUTLINE = (
@@ -27,14 +28,14 @@ OUTLINE = (
 
 @dataclass(frozen=True)
 class Sees:
-    """Extractor that finds what it is told to, and keeps the sizes that it saw."""
+    """Extractor that finds what it is told to, at the size that it is shown."""
 
     mask: Mask | None
 
     def __call__(self, picture: Picture) -> Extraction:
         if self.mask is None:
             raise NoTreeError("no tree was found")
-        return Extraction(self.mask, "sees", 0.3, "it was told so")
+        return Extraction(resize_mask(self.mask, picture.shape), "sees", 0.3, "it was told so")
 
 
 def test_only_the_crop_is_looked_at_and_the_mask_is_of_the_whole_picture() -> None:

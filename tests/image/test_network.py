@@ -164,9 +164,14 @@ def outdoors() -> Picture:
 
 def test_the_sky_needs_to_be_surer_to_be_tree(tmp_path: Path) -> None:
     unsure = write_model(tmp_path / "unsure.onnx", ((0, 0, 0), (-9, -9, -9), (0, 0, 0.9)))  # 0.7 in the sky
-    found, kept = (NetworkMask(model=unsure, sky=sky)(outdoors()).mask for sky in (0.95, 0.5))
+    found, kept = (NetworkMask(model=unsure, sky=sky, clean=False)(outdoors()).mask for sky in (0.95, 0.5))
     assert (found[5:70] == BACKGROUND).all()
     assert (kept[5:70] == FOLIAGE).all()
+
+
+def test_cleaning_takes_the_sky_from_an_unsure_answer(tmp_path: Path) -> None:
+    unsure = write_model(tmp_path / "unsure.onnx", ((0, 0, 0), (-9, -9, -9), (0, 0, 0.9)))
+    assert (NetworkMask(model=unsure)(outdoors()).mask[5:70] == BACKGROUND).all()
 
 
 def test_the_paper_of_a_drawing_is_no_sky(tmp_path: Path) -> None:

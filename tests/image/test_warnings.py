@@ -35,7 +35,7 @@ def test_what_would_spoil_a_fit_is_said(mask: np.ndarray, message: str) -> None:
 
 
 def test_no_tree_at_all_is_an_error_that_tells_the_cure() -> None:
-    with pytest.raises(PictureError, match="crop the picture to one tree, or give a mask file"):
+    with pytest.raises(PictureError, match=r"no tree was found in the picture; show it with mask\.point"):
         judge(np.zeros((100, 100), np.uint8))
 
 

@@ -51,13 +51,6 @@ def finer(belief: Belief, rgb: Rgb, radius: int) -> Belief:
     return np.concatenate((np.maximum(1 - tree, 0), kinds / np.maximum(tree, 1)), axis=-1)
 
 
-def decide(belief: Belief, threshold: float | NDArray[np.float32]) -> Mask:
-    """Mask (h, w): tree where branch and foliage together reach `threshold`, one or (h, w), of the likelier kind."""
-    kind = np.where(belief[..., BRANCH] > belief[..., FOLIAGE], BRANCH, FOLIAGE)
-    tree = belief[..., BRANCH] + belief[..., FOLIAGE] >= threshold
-    return np.where(tree, kind, BACKGROUND).astype(np.uint8)
-
-
 def expected_overlap(belief: Belief, mask: Mask) -> float:
     """Intersection over union of the tree that `belief` expects of `mask`: right if its probabilities are."""
     tree = 1 - belief[..., BACKGROUND]

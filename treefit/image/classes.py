@@ -23,7 +23,7 @@ SPECK_SHARE = 0.001
 def by_form(tree: Region) -> Mask:
     """Mask of a tree known by its outline only: the narrow column is branch, all is branch when it is mere strokes."""
     mask = np.where(tree, FOLIAGE, BACKGROUND).astype(np.uint8)
-    if is_strokes(tree):
+    if tree.any() and is_strokes(tree):
         mask[tree] = BRANCH
     else:
         mask[trunk_column(tree)] = BRANCH

@@ -25,7 +25,7 @@ REACH, SMOOTHNESS = 4, 3e-4
 
 def cut_tree(picture: Picture, said: Said) -> Region:
     """(h, w) bool: the tree that fits what is `said` and the colours of `picture`."""
-    window = _window(said.outline, picture.shape)
+    window = surroundings(said.outline, picture.shape)
     part = cut_out(picture, *window)
     small = shrink(part, COARSE)
     lab = rgb2lab(small.rgb)
@@ -44,7 +44,7 @@ def cut_tree(picture: Picture, said: Said) -> Region:
     return tree
 
 
-def _window(outline: Region | None, shape: tuple[int, int]) -> Window:
+def surroundings(outline: Region | None, shape: tuple[int, int]) -> Window:
     """Rows and columns around `outline` with some of its surroundings, which teach what is not tree."""
     if outline is None:
         return slice(0, shape[0]), slice(0, shape[1])

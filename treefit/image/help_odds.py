@@ -25,7 +25,7 @@ EDGE, RAMP, THINNEST = 0.025, 0.06, 0.15
 """Shares of the outline's size: hands draw around a tree, so its edge is that far inside, and all sure so far off."""
 
 FIRST = 2.0
-DISTRUST, TRUST = 0.4, 0.7
+DISTRUST, TRUST = 0.6, 0.9
 """Agreement with the outline up to which an extractor does not count at all, and from which it counts fully."""
 
 STROKE, REACH = 4.0, 0.12

@@ -10,7 +10,7 @@ from skimage.draw import polygon2mask
 from treefit.image.extraction import Extraction, Extractor
 from treefit.image.help import Help, Points, Window
 from treefit.image.help_classes import classify
-from treefit.image.help_cut import cut_tree
+from treefit.image.help_cut import cut_tree, surroundings
 from treefit.image.help_odds import Said
 from treefit.image.help_point import look_at, part_at
 from treefit.image.help_strokes import read_strokes
@@ -60,16 +60,24 @@ class HelpedMask:
         """Extraction of `part`, the `window` of `picture`: what is drawn leads, the extractor's own answer helps."""
         look = shrink(part, SIZE)
         outline, strokes = self._drawn(picture, window, look.shape)
-        try:
-            found = self.extractor(part)
-        except NoTreeError:
-            found = Extraction(np.zeros(part.shape, np.uint8), "help", 0.0, "nothing was found without your help")
+        found = self._around(part, surroundings(outline, look.shape), look.shape)
         said = Said(resize_mask(found.mask, look.shape), outline, strokes)
         mask = resize_mask(classify(look, cut_tree(look, said), said), part.shape)
         ways = {"inside your outline": outline, "by your strokes": strokes}
         why = " and ".join(way for way, drawn in ways.items() if drawn is not None)
         sure = BY_STROKES if outline is None else BY_OUTLINE
         return replace(found, mask=mask, confidence=max(sure, found.confidence), why=f"{why}; {found.why}")
+
+    def _around(self, part: Picture, near: Window, shape: tuple[int, int]) -> Extraction:
+        """Extraction of `part` by what the extractor finds in `near`, a window of `part` at `shape`."""
+        rows, columns = (_scaled(span, size, side) for span, size, side in zip(near, shape, part.shape, strict=True))
+        mask = np.zeros(part.shape, np.uint8)
+        try:
+            found = self.extractor(cut_out(part, rows, columns))
+        except NoTreeError:
+            return Extraction(mask, "help", 0.0, "nothing was found without your help")
+        mask[rows, columns] = found.mask
+        return replace(found, mask=mask)
 
     def _drawn(self, picture: Picture, window: Window, shape: tuple[int, int]) -> tuple[Region | None, Mask | None]:
         """Inside of the outline and strokes in the `window` of `picture` at `shape`, each None when there are none."""
@@ -86,6 +94,11 @@ class HelpedMask:
         if outline is not None and not outline.any():
             raise PictureError(f"mask.outline: {'is outside mask.crop' if self.help.crop else 'has no inside'}")
         return outline, strokes
+
+
+def _scaled(span: slice, size: int, side: int) -> slice:
+    """`span` of `size` pixels as part of `side` pixels."""
+    return slice(span.start * side // size, -(-span.stop * side // size))
 
 
 def _filled(corners: Points, window: Window, shape: tuple[int, int]) -> Region:

@@ -49,7 +49,7 @@ def lowered(layout: Layout, stem: Region) -> Layout:
     return replace(layout, horizon=float(np.clip(max(top, layout.horizon), *HORIZON_RANGE)))
 
 
-def expectation(layout: Layout, sky: Region) -> NDArray[np.float64]:
+def expectation(layout: Layout, sky: Region, side_loss: float = SIDE_LOSS) -> NDArray[np.float64]:
     """(h, w) log odds that a pixel is tree before its colour is seen: less at the sides and below the horizon."""
     height, width = sky.shape
     rows = ((np.arange(height) + 0.5) / height)[:, None]
@@ -57,5 +57,5 @@ def expectation(layout: Layout, sky: Region) -> NDArray[np.float64]:
     below = np.clip((rows - layout.horizon) / (LOWEST_GROUND - layout.horizon), 0, 1)
     side = np.maximum(aside - 0.25, 0) / 0.25
     corner = below * np.maximum(aside - 0.1, 0) / 0.4
-    odds = LIKELY - SIDE_LOSS * side - GROUND_LOSS * below - CORNER_LOSS * corner
+    odds = LIKELY - side_loss * side - GROUND_LOSS * below - CORNER_LOSS * corner
     return np.where(sky, SKY_LOGIT, odds)

@@ -12,16 +12,18 @@ from pydantic import ConfigDict, Field
 from pydantic.dataclasses import dataclass
 from skimage.color import rgb2lab
 
-from treefit.image.belief import Belief, believe, decide, expected_overlap, finer
+from treefit.image.belief import Belief, believe, expected_overlap, finer
+from treefit.image.classes import by_form
 from treefit.image.extraction import Extraction
+from treefit.image.kinds import kinds
 from treefit.image.onnx_model import ModelError, fixed_sides, run_model
-from treefit.image.picture import Picture, shrink
+from treefit.image.picture import Picture, Rgb, shrink
 from treefit.image.plain import has_plain_border
+from treefit.image.refine import refine
 from treefit.image.resize import resize_mask
 from treefit.image.sky import find_sky
-from treefit.image.trunk import trunk_column
 from treefit.image.warnings import check_picture, judge
-from treefit.mask import BACKGROUND, BRANCH
+from treefit.mask import BACKGROUND
 
 OURS = Path(__file__).with_name("tree.onnx")
 MULTIPLE = 64
@@ -38,8 +40,9 @@ Deviation = Annotated[float, Field(gt=0)]
 class NetworkMask:
     """A network at `size` pixels of the longer side; its answer is carried to the picture's own edges.
 
-    It gets (x - mean) / std of each pixel, x in 0..1, and gives a channel for each name of `classes`: logits, or
-    probabilities. Channels of one name are added up; `tree` is wood and leaves alike, told apart by shape then.
+    With `clean` its answer to a photograph is one among others: colours, the sky and one connected tree count too.
+    The network gets (x - mean) / std of each pixel, x in 0..1, and gives a channel for each name of `classes`, logits
+    or probabilities. Channels of one name are added up; `tree` is wood and leaves alike, told apart by shape then.
     """
 
     model: Path | None = None
@@ -48,6 +51,7 @@ class NetworkMask:
     std: tuple[Deviation, Deviation, Deviation] = (1.0, 1.0, 1.0)
     classes: tuple[ClassName, ...] = ("background", "branch", "foliage")
     mirror: bool = True
+    clean: bool = True
     threshold: float = Field(default=0.5, gt=0, lt=1)
     fine: int = Field(default=1024, ge=64, le=4096)
     sky: float = Field(default=0.95, gt=0, le=1)
@@ -62,10 +66,17 @@ class NetworkMask:
     def __call__(self, picture: Picture) -> Extraction:
         """Extraction of what the network holds for tree."""
         check_picture(picture)
-        belief = finer(self.belief(picture), shrink(picture, self.fine).rgb, self.edge)
-        mask = decide(belief, self._needed(picture, belief.shape[:2]))
-        if "branch" not in self.classes:
-            mask[trunk_column(mask != BACKGROUND)] = BRANCH
+        seen, fine = self.belief(picture), shrink(picture, self.fine).rgb
+        belief = finer(seen, fine, self.edge)
+        look = shrink(picture, SKY_SIZE).rgb
+        plain = has_plain_border(look)
+        if self.clean and not plain:
+            tree = refine(seen, picture, fine)
+        else:
+            # the paper of a drawing shows inside its outlines
+            needed = self.threshold if plain else self._needed(look, belief.shape[:2])
+            tree = 1 - belief[..., BACKGROUND] >= needed
+        mask = kinds(fine, tree, belief) if "branch" in self.classes else by_form(tree)
         sure = expected_overlap(belief, mask)
         mask = resize_mask(mask, picture.shape)
         why = f"a network found it and expects {sure:.0%} of the tree to be right"
@@ -82,12 +93,9 @@ class NetworkMask:
             belief = (belief + self._ask(path, pixels[:, ::-1])[:, ::-1]) * np.float32(0.5)
         return belief
 
-    def _needed(self, picture: Picture, shape: tuple[int, int]) -> NDArray[np.float32]:
-        """(h, w) of `shape`: probability from which a pixel is tree."""
-        small = shrink(picture, SKY_SIZE).rgb
-        if has_plain_border(small):  # the paper of a drawing shows inside its outlines
-            return np.full(shape, self.threshold, np.float32)
-        sky = resize_mask(find_sky(rgb2lab(small)).astype(np.uint8), shape)
+    def _needed(self, look: Rgb, shape: tuple[int, int]) -> NDArray[np.float32]:
+        """(h, w) of `shape`: probability from which a pixel is tree, more in what looks like sky."""
+        sky = resize_mask(find_sky(rgb2lab(look)).astype(np.uint8), shape)
         return np.where(sky > 0, max(self.sky, self.threshold), self.threshold).astype(np.float32)
 
     def _ask(self, path: Path, pixels: NDArray[np.float32]) -> Belief:

@@ -23,6 +23,10 @@ class ModelError(ValueError):
     """The model file cannot be used; the message is one line saying why and what to do instead."""
 
 
+class NoRuntimeError(ModelError):
+    """onnxruntime is not there, or does not load on this machine."""
+
+
 def run_model(path: Path, pixels: NDArray[np.float32]) -> Channels:
     """First output of the model at `path` for `pixels` (h, w, 3); one thread, the same bytes for the same pixels."""
     session = _session(path)
@@ -61,7 +65,7 @@ def _load(path: Path, _time: int, _size: int) -> InferenceSession:
     try:
         import onnxruntime
     except ImportError as error:
-        raise ModelError("a mask network needs onnxruntime: python -m pip install onnxruntime") from error
+        raise NoRuntimeError("a mask network needs onnxruntime: python -m pip install onnxruntime") from error
     options = onnxruntime.SessionOptions()
     options.intra_op_num_threads = options.inter_op_num_threads = 1
     options.log_severity_level = 4  # what is wrong becomes one line below

@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 from scipy import ndimage
+from skimage.color import rgb2lab
 
-from treefit.image.picture import Region
+from treefit.image.picture import Region, Rgb
 
 Lab = NDArray[np.float64]
 """(h, w, 3) CIE L* 0..100, a*, b*."""
@@ -35,6 +36,14 @@ def find_sky(lab: Lab) -> Region:
     lowest = np.flatnonzero(seeds.mean(axis=1) > 0.02)
     sky[int((lowest[-1] if len(lowest) else height) + 0.05 * height) :] = False
     return sky
+
+
+def gaps(rgb: Rgb, inside: Region, sky: Lab) -> Region:
+    """(h, w) bool: pixels of `rgb` that are `inside` and of a colour of the `sky`, whose pixels (n, 3) are given."""
+    found = np.zeros_like(inside)
+    if len(sky) and inside.any():
+        found[inside] = _distance_to_colours(rgb2lab(rgb[inside][None]), _colours(sky))[0] < COLOUR_DISTANCE
+    return found
 
 
 def steepness(lab: Lab, sigma: float) -> NDArray[np.float64]:

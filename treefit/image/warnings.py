@@ -14,7 +14,7 @@ LEAST_TREE = 0.005
 LEAST_HEIGHT = 128
 CUT_SHARE = 0.02
 SECOND_TREE = 0.25
-CURE = "crop the picture to one tree, or give a mask file with mask=file mask.path=<png with values 0, 1, 2>"
+CURE = "show it with mask.point=[x,y], mask.crop=[left,top,right,bottom] or mask.outline=[[x,y],...], or give a mask"
 
 
 def check_picture(picture: Picture) -> None:
