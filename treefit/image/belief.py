@@ -43,6 +43,12 @@ def _probabilities(channels: Channels) -> Channels:
     return expit(channels) if len(channels) == 1 else np.asarray(softmax(channels, axis=0))
 
 
+def larger(belief: Belief, shape: tuple[int, int]) -> Belief:
+    """`belief` (h, w, 3) at `shape`, bilinear: blurred at edges."""
+    layers = [Image.fromarray(np.ascontiguousarray(belief[..., kind])) for kind in (BACKGROUND, BRANCH, FOLIAGE)]
+    return np.stack([np.asarray(layer.resize(shape[::-1], Image.Resampling.BILINEAR)) for layer in layers], axis=-1)
+
+
 def finer(belief: Belief, rgb: Rgb, radius: int) -> Belief:
     """`belief` (h, w, 3) at the size of the picture `rgb`, its edges on those of the picture within `radius` pixels."""
     small = np.asarray(Image.fromarray(rgb).resize((belief.shape[1], belief.shape[0]), Image.Resampling.BOX))

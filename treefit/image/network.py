@@ -12,7 +12,7 @@ from pydantic import ConfigDict, Field
 from pydantic.dataclasses import dataclass
 from skimage.color import rgb2lab
 
-from treefit.image.belief import Belief, believe, expected_overlap, finer
+from treefit.image.belief import Belief, believe, expected_overlap, finer, larger
 from treefit.image.classes import by_form
 from treefit.image.extraction import Extraction
 from treefit.image.kinds import kinds
@@ -66,13 +66,12 @@ class NetworkMask:
     def __call__(self, picture: Picture) -> Extraction:
         """Extraction of what the network holds for tree."""
         check_picture(picture)
-        seen, fine = self.belief(picture), shrink(picture, self.fine).rgb
-        belief = finer(seen, fine, self.edge)
-        look = shrink(picture, SKY_SIZE).rgb
+        seen, fine, look = self.belief(picture), shrink(picture, self.fine).rgb, shrink(picture, SKY_SIZE).rgb
         plain = has_plain_border(look)
         if self.clean and not plain:
-            tree = refine(seen, picture, fine)
+            belief, tree = larger(seen, fine.shape[:2]), refine(seen, picture, fine)
         else:
+            belief = finer(seen, fine, self.edge)
             # the paper of a drawing shows inside its outlines
             needed = self.threshold if plain else self._needed(look, belief.shape[:2])
             tree = 1 - belief[..., BACKGROUND] >= needed
