@@ -41,7 +41,7 @@ class AutoMask:
     sketch: SketchMask = Field(default_factory=SketchMask)
     colour: ColourMask = Field(default_factory=ColourMask)
     network: NetworkMask = Field(default_factory=NetworkMask)
-    sure: float = Field(default=0.7, ge=0, le=1)
+    sure: float = Field(default=0.75, ge=0, le=1)
 
     def __call__(self, picture: Picture) -> Extraction:
         """Extraction of the chosen method; `why` says why it was chosen."""
