@@ -11,6 +11,11 @@ from PIL import Image
 
 from experiments.extractor import build_extractor
 from treefit.image import Extraction, Picture, overlay, read_picture, write_mask
+from treefit.image.picture import shrink
+from treefit.image.resize import resize_mask
+
+SHOWN = 2048
+"""Pixels of the longer side of mask_overlay.png at most: it is to be looked at."""
 
 _log = logging.getLogger(__name__)
 
@@ -34,7 +39,8 @@ def read_tree(cfg: DictConfig, folder: Path) -> ReadTree:
     picture = read_picture(cfg.image)
     extraction = build_extractor(cfg.mask, "mask")(picture)
     write_mask(extraction.mask, folder / "mask.png")
-    Image.fromarray(overlay(picture, extraction.mask)).save(folder / "mask_overlay.png")
+    shown = shrink(picture, SHOWN)
+    Image.fromarray(overlay(shown, resize_mask(extraction.mask, shown.shape))).save(folder / "mask_overlay.png")
     tree = ReadTree(Path(cfg.image).name, picture, extraction)
     for warning in tree.warnings:
         _log.warning(warning)

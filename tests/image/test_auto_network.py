@@ -91,3 +91,18 @@ def test_the_network_that_comes_with_the_program_finds_the_tree_in_the_middle() 
     assert found.method == "network"
     assert found.mask[100, LEFT] != BACKGROUND
     assert (found.mask[:20] == BACKGROUND).all()
+
+
+@pytest.mark.parametrize("shape", [(8, 8), (9, 64), (64, 9), (64, 64), (100, 333)])
+@pytest.mark.parametrize("kind", ["noise", "smooth"])
+def test_a_picture_of_no_tree_is_refused_or_unsure(shape: tuple[int, int], kind: str) -> None:
+    rgb = np.random.default_rng(0).integers(0, 256, (*shape, 3)).astype(np.uint8)
+    if kind == "smooth":
+        rgb = (
+            np.repeat(np.linspace(0, 255, shape[0])[:, None, None], shape[1], axis=1).repeat(3, axis=2).astype(np.uint8)
+        )
+    try:
+        found = AutoMask()(Picture(rgb))
+    except NoTreeError:
+        return
+    assert found.warnings[0].startswith("unsure of the tree")
