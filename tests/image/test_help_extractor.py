@@ -9,7 +9,7 @@ from tests.image.scene import LEFT, RIGHT, overlap, scene, truth
 from treefit.image import ColourMask, Extraction, Help, HelpedMask, Picture, PictureError
 from treefit.image.read import NoTreeError
 from treefit.image.resize import resize_mask
-from treefit.mask import BRANCH, FOLIAGE, Mask
+from treefit.mask import BACKGROUND, BRANCH, FOLIAGE, Mask
 
 OUTLINE = (
     (100, 33),
@@ -70,6 +70,13 @@ def test_the_tree_inside_an_outline_is_found_whatever_the_extractor_says(first: 
     assert (found.mask[60:140, LEFT] == FOLIAGE).mean() > 0.9
     assert found.why.startswith("inside your outline; ")
     assert found.confidence == 0.9
+
+
+def test_blue_low_inside_the_outline_is_water_or_sky() -> None:
+    rgb = scene().rgb.copy()
+    rgb[185:215, LEFT - 18 : LEFT + 18] = (40, 90, 220)
+    found = HelpedMask(Sees(truth(LEFT)), Help(outline=OUTLINE))(Picture(rgb))
+    assert (found.mask[190:210, LEFT - 14 : LEFT + 14] == BACKGROUND).mean() > 0.9
 
 
 def test_nothing_is_tree_far_outside_the_outline() -> None:

@@ -13,7 +13,7 @@ from treefit.image.help import Window
 from treefit.image.help_odds import NOT_TREE, TREE, Odds, Said, odds_of
 from treefit.image.picture import Picture, Region, Rgb, cut_out, shrink
 from treefit.image.resize import resize_mask, resize_strokes
-from treefit.image.sky import find_sky
+from treefit.image.sky import find_sky, is_blue
 from treefit.mask import Mask
 
 COARSE, FINE = 256, 768
@@ -57,7 +57,8 @@ def surroundings(outline: Region | None, shape: tuple[int, int]) -> Window:
 
 def _sky(picture: Picture) -> Region:
     """(h, w) bool: sky of the whole picture, whose upper border tells what sky is."""
-    sky = find_sky(rgb2lab(shrink(picture, FINE).rgb))
+    lab = rgb2lab(shrink(picture, FINE).rgb)
+    sky = find_sky(lab) | is_blue(lab)
     return resize_mask(sky.astype(np.uint8), picture.shape).astype(bool)
 
 
@@ -74,4 +75,5 @@ def _sharpen(likely: Odds, sky: Region, fine: Rgb) -> Mask:
     coarse = np.asarray(Image.fromarray(fine).resize(likely.shape[::-1], Image.Resampling.BOX))
     large = upsample(likely.astype(np.float32)[..., None], coarse, fine, REACH, SMOOTHNESS)[..., 0]
     near_sky = resize_mask(ndimage.binary_dilation(sky).astype(np.uint8), fine.shape[:2]).astype(bool)
-    return np.asarray((large > 0.5) & ~(find_sky(rgb2lab(fine)) & near_sky)).astype(np.uint8)
+    lab = rgb2lab(fine)
+    return np.asarray((large > 0.5) & ~((find_sky(lab) | is_blue(lab)) & near_sky)).astype(np.uint8)

@@ -25,7 +25,7 @@ def find_sky(lab: Lab) -> Region:
     """(h, w) bool: sky, with its gaps through a crown; empty when nothing at the upper border looks like sky."""
     height = len(lab)
     seeds = _smooth_top(lab)
-    blue = (lab[..., 2] < BLUE) & (lab[..., 0] > 25)
+    blue = is_blue(lab)
     blue[int(0.6 * height) :] = False
     if blue.mean() > LEAST_BLUE:
         # a leafless crown over the whole picture leaves no smooth part
@@ -36,6 +36,11 @@ def find_sky(lab: Lab) -> Region:
     lowest = np.flatnonzero(seeds.mean(axis=1) > 0.02)
     sky[int((lowest[-1] if len(lowest) else height) + 0.05 * height) :] = False
     return sky
+
+
+def is_blue(lab: Lab) -> Region:
+    """(h, w) bool: of a blue that skies and lakes have, and no tree."""
+    return np.asarray((lab[..., 2] < BLUE) & (lab[..., 0] > 25))
 
 
 def gaps(rgb: Rgb, inside: Region, sky: Lab) -> Region:
