@@ -14,15 +14,6 @@ from treefit.image import Extractor, FileMask, Help, HelpedMask
 HELP = tuple(Help.__dataclass_fields__)
 
 
-def without_help(cfg_node: DictConfig) -> DictConfig:
-    """The group without its settings of help that are not given."""
-    settings = OmegaConf.to_container(cfg_node, resolve=True)
-    assert isinstance(settings, dict)
-    return OmegaConf.create(
-        {str(name): value for name, value in settings.items() if value is not None or name not in HELP}
-    )
-
-
 def build_extractor(cfg_node: DictConfig, place: str) -> Extractor:
     """Extractor that the group `cfg_node` describes; UserError as from `build`, and for help that cannot be."""
     settings = OmegaConf.to_container(cfg_node, resolve=True)

@@ -16,12 +16,11 @@ from PIL import Image
 
 from experiments.check import CONFIG_FOLDER
 from experiments.errors import UserError, did_you_mean
-from experiments.extractor import build_extractor, without_help
+from experiments.extractor import build_extractor
 from experiments.masks_measure import Found
 from experiments.masks_page import means, page
 from experiments.masks_sheet import sheet
 from experiments.numbers import rounded
-from experiments.option_names import option_name
 from experiments.pictures import EXAMPLES, examples
 from experiments.run_folder import run_folder
 from experiments.settings import read_settings
@@ -56,7 +55,7 @@ def run(cfg: DictConfig) -> None:
 def _extractors(names: Sequence[str] | None, configured: DictConfig) -> dict[str, Extractor]:
     """Extractors by name: those in conf, or the configured one alone."""
     if names is None:
-        return {option_name("mask", without_help(configured)) or "mask": build_extractor(configured, "mask")}
+        return {str(HydraConfig.get().runtime.choices["mask"]): build_extractor(configured, "mask")}
     known = [file.stem for file in (CONFIG_FOLDER / "mask").glob("*.yaml")]
     found = {}
     for name in names:

@@ -7,8 +7,8 @@ from omegaconf import DictConfig
 
 from experiments.check import CONFIG_FOLDER
 from experiments.errors import UserError
-from experiments.extractor import HELP, build_extractor, without_help
-from treefit.image import AutoMask, ColourMask, FileMask, Help, HelpedMask
+from experiments.extractor import build_extractor
+from treefit.image import ColourMask, FileMask, Help, HelpedMask
 
 
 def mask_group(*settings: str) -> DictConfig:
@@ -48,9 +48,3 @@ def test_wrong_help_is_one_line(setting: str, line: str) -> None:
     with pytest.raises(UserError, match=f"^{re.escape(line)}") as caught:
         build_extractor(mask_group(setting), "mask")
     assert "\n" not in str(caught.value)
-
-
-def test_help_that_is_not_given_can_be_left_out() -> None:
-    assert not set(without_help(mask_group())) & set(HELP)
-    assert build_extractor(without_help(mask_group()), "mask") == AutoMask()
-    assert "point" in without_help(mask_group("mask.point=[1,2]"))
