@@ -41,8 +41,8 @@ def what_next(tree: ReadTree, image: Path, folder: Path) -> list[str]:
     """Two lines on what to do when the mask is wrong, each with a command to be copied."""
     height, width = tree.picture.shape
     corners = ",".join(f"[{x},{y}]" for x, y in rough_outline(tree.extraction.mask))
-    here = f"image={shlex.quote(_from_here(image))}"
-    corrected = shlex.quote(_from_here(folder / "mask.png"))
+    here = f"image={shlex.quote(_as_typed(image))}"
+    corrected = shlex.quote(_as_typed(folder / "mask.png"))
     return [
         f"wrong? say where it is, in pixels of {width} x {height} (or by mask.crop, mask.point, mask.hint): "
         f"python run.py task=mask {here} 'mask.outline=[{corners}]'",
@@ -65,6 +65,6 @@ def rough_outline(mask: Mask) -> list[tuple[int, int]]:
     return [(min(int(x - 1) * step, limits[0]), min(int(y - 1) * step, limits[1])) for y, x in corners[:-1]]
 
 
-def _from_here(path: Path) -> str:
+def _as_typed(path: Path) -> str:
     """`path` as it is typed from where the user stands."""
     return str(path.relative_to(Path.cwd())) if path.is_relative_to(Path.cwd()) else str(path)

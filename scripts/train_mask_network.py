@@ -16,7 +16,7 @@ ROOT = Path(__file__).parents[1]
 
 
 def main() -> None:
-    """Train, export, and measure on photographs if some are given."""
+    """Train and export; task=masks measures what came of it."""
     arguments = _arguments()
     # spawned painters import this file: they must not wait for torch
     import torch
@@ -32,17 +32,6 @@ def main() -> None:
     path = arguments.export or arguments.folder / "tree.onnx"
     size = export(learner.average, plan, learner.step, path)
     print(f"{path}: {size / 1e6:.2f} MB after {learner.step} steps")
-    if arguments.photos:
-        _measure(path, arguments.photos)
-
-
-def _measure(path: Path, pattern: str) -> None:
-    from scripts.mask_training.photographs import measure
-    from treefit.image.network import NetworkMask
-
-    for row in measure(NetworkMask(model=path), pattern):
-        scores = f"tree {row.tree:.3f}  classes {row.classes:.3f}  branch {row.branch:.3f}"
-        print(f"{row.name:24s} {scores}  {row.seconds:.2f} s")
 
 
 def _arguments() -> argparse.Namespace:
@@ -52,7 +41,6 @@ def _arguments() -> argparse.Namespace:
     parser.add_argument("--minutes", type=float, default=150, help="it stops then, finished or not")
     parser.add_argument("--workers", type=int, default=1, help="processes that paint")
     parser.add_argument("--threads", type=int, default=1, help="threads that learn; others change the last digits")
-    parser.add_argument("--photos", help="'dir/*.jpg' with mask_<name>.png beside them, to measure the result")
     for field in fields(Plan):
         option = f"--{field.name.replace('_', '-')}"
         if isinstance(field.default, bool):

@@ -43,8 +43,8 @@ def _probabilities(channels: Channels) -> Channels:
     return expit(channels) if len(channels) == 1 else np.asarray(softmax(channels, axis=0))
 
 
-def larger(belief: Belief, shape: tuple[int, int]) -> Belief:
-    """`belief` (h, w, 3) at `shape`, bilinear: blurred at edges."""
+def resized(belief: Belief, shape: tuple[int, int]) -> Belief:
+    """`belief` (h, w, 3) at `shape`, bilinear: blurred at edges when that is larger."""
     layers = [Image.fromarray(np.ascontiguousarray(belief[..., kind])) for kind in (BACKGROUND, BRANCH, FOLIAGE)]
     return np.stack([np.asarray(layer.resize(shape[::-1], Image.Resampling.BILINEAR)) for layer in layers], axis=-1)
 

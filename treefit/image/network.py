@@ -12,7 +12,7 @@ from pydantic import ConfigDict, Field
 from pydantic.dataclasses import dataclass
 from skimage.color import rgb2lab
 
-from treefit.image.belief import Belief, believe, expected_overlap, finer, larger
+from treefit.image.belief import Belief, believe, expected_overlap, finer, resized
 from treefit.image.classes import by_form
 from treefit.image.extraction import Extraction
 from treefit.image.kinds import kinds
@@ -66,10 +66,14 @@ class NetworkMask:
     def __call__(self, picture: Picture) -> Extraction:
         """Extraction of what the network holds for tree."""
         check_picture(picture)
-        seen, fine, look = self.belief(picture), shrink(picture, self.fine).rgb, shrink(picture, SKY_SIZE).rgb
+        return self.judged(picture, self.belief(picture))
+
+    def judged(self, picture: Picture, seen: Belief) -> Extraction:
+        """Extraction of what the network holds for tree, when `seen` is its belief."""
+        fine, look = shrink(picture, self.fine).rgb, shrink(picture, SKY_SIZE).rgb
         plain = has_plain_border(look)
         if self.clean and not plain:
-            belief, tree = larger(seen, fine.shape[:2]), refine(seen, picture, fine)
+            belief, tree = resized(seen, fine.shape[:2]), refine(seen, picture, fine)
         else:
             belief = finer(seen, fine, self.edge)
             # the paper of a drawing shows inside its outlines

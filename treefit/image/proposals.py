@@ -27,10 +27,11 @@ def best_of(picture: Picture, ways: Sequence[Extractor], network: NetworkMask) -
     The region is that of the chosen way; in it the network tells branch from foliage, for ink has no hue.
     """
     look = shrink(picture, SIZE)
-    belief = finer(network.belief(picture), look.rgb, network.edge)
+    seen = network.belief(picture)
+    belief = finer(seen, look.rgb, network.edge)
     found = list(_found(picture, ways))
     try:
-        found.append(network(picture))
+        found.append(network.judged(picture, seen))
     except NoTreeError:
         if not found:
             raise

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
-from PIL import Image
 from scipy import ndimage
 from skimage.color import rgb2lab
 
-from treefit.image.belief import Belief
+from treefit.image.belief import Belief, resized
 from treefit.image.cut import Known, soft_cut
 from treefit.image.guided import upsample
 from treefit.image.layout import expectation, find_layout
@@ -57,7 +56,8 @@ def refine(belief: Belief, picture: Picture, fine: Rgb) -> Region:
     another colour than its crown, and stands where others have grass: for it the network and its two edges decide.
     """
     small = shrink(picture, SIZE).rgb
-    tree, branch = _resized(1 - belief[..., BACKGROUND], small), _resized(belief[..., BRANCH], small)
+    seen = resized(belief, small.shape[:2]).astype(np.float64)
+    tree, branch = 1 - seen[..., BACKGROUND], seen[..., BRANCH]
     lab = rgb2lab(small)
     blue = find_sky(lab)
     sky = blue & (tree < SURE_TREE)
@@ -94,12 +94,6 @@ def _middle(tree: Likely) -> Likely:
         variance = (tree * offsets**2).sum() / total
         nearness = nearness + offsets**2 / max(float(variance), 1.0)
     return np.asarray(np.exp(-nearness / (2 * MIDDLE**2)))
-
-
-def _resized(values: NDArray[np.float32], small: Rgb) -> Likely:
-    image = Image.fromarray(np.ascontiguousarray(values))
-    resized = image.resize((small.shape[1], small.shape[0]), Image.Resampling.BILINEAR)
-    return np.clip(np.asarray(resized, np.float64), 0, 1)
 
 
 def _enlarged(region: Region, fine: Rgb) -> Region:
