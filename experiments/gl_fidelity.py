@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from experiments.zbuffer_view import Outline, zbuffer_mask
-from treefit.asset.leaf_outline import leaf_card
+from treefit.asset.mesh.leaf_outline import leaf_card
 from treefit.mask import BRANCH, FOLIAGE, Mask
 from treefit.plant import Plant
 from treefit.view import Frame

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from PIL import Image, ImageDraw
 
 from experiments.masks_measure import Found
-from treefit.asset.font import fitted, font
+from treefit.asset.pictures.font import fitted, font
 from treefit.image import Picture, overlay
 from treefit.image.picture import shrink
 from treefit.image.resize import resize_mask

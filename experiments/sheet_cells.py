@@ -12,7 +12,7 @@ from PIL import Image
 
 from experiments.errors import one_line
 from treefit.asset import AssetSettings, picture
-from treefit.asset.frame import TREE_SHARE, Frame
+from treefit.asset.pictures.frame import TREE_SHARE, Frame
 from treefit.mask import PALETTE
 from treefit.plant import Budget, Generator, Plant, Values, check_plant
 from treefit.plant.extent import Extent, extent_of

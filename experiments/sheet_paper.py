@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image, ImageDraw
 
-from treefit.asset.font import fitted, font
+from treefit.asset.pictures.font import fitted, font
 
 PAPER, LINE, MARK = (255, 255, 255), (224, 224, 224), (176, 82, 28)
 INK, TEXT_INK, FAINT = (34, 34, 34), (72, 72, 72), (120, 120, 120)

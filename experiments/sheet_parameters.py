@@ -25,7 +25,7 @@ from experiments.sheet_paper import (
     wrapped,
 )
 from experiments.sheet_values import nearest, written
-from treefit.asset.font import fitted, font
+from treefit.asset.pictures.font import fitted, font
 from treefit.plant import Parameter, Value
 
 ROWS, COLUMNS = 12, 5

@@ -20,7 +20,7 @@ from experiments.sheet_paper import (
     put_panel,
     put_reason,
 )
-from treefit.asset.font import fitted, font
+from treefit.asset.pictures.font import fitted, font
 
 WIDEST = 1800
 """Pixels of a page, unless one preset is wider."""

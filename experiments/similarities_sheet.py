@@ -11,7 +11,7 @@ from PIL import Image, ImageDraw
 
 from experiments.similarities_fit import JudgedFit, Study
 from experiments.similarities_page import means
-from treefit.asset.font import fitted, font
+from treefit.asset.pictures.font import fitted, font
 from treefit.mask import PALETTE, Mask
 
 WIDTH = 1600

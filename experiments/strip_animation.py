@@ -12,8 +12,8 @@ from experiments.errors import one_line
 from experiments.sheet_paper import NAME, TEXT_INK
 from experiments.strip_page import Moment, scale_of, sturdy
 from treefit.asset import AssetSettings, picture
-from treefit.asset.font import font
-from treefit.asset.frame import Frame
+from treefit.asset.pictures.font import font
+from treefit.asset.pictures.frame import Frame
 from treefit.plant import Plant
 from treefit.plant.extent import extent_of
 

@@ -29,8 +29,8 @@ from experiments.sheet_paper import (
 )
 from experiments.strip_rows import Place, Row, arranged
 from treefit.asset import AssetSettings
-from treefit.asset.font import fitted, font
-from treefit.asset.frame import TREE_SHARE, Frame
+from treefit.asset.pictures.font import fitted, font
+from treefit.asset.pictures.frame import TREE_SHARE, Frame
 from treefit.plant import Plant
 from treefit.plant.extent import Extent, extent_of
 

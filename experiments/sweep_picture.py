@@ -7,7 +7,7 @@ from pathlib import Path
 from PIL import Image, ImageDraw
 
 from experiments.sweep_table import Job, SweepTable
-from treefit.asset.font import font
+from treefit.asset.pictures.font import font
 from treefit.image import PictureError, read_picture
 
 CELL, GAP, CAPTION, HEAD = 256, 16, 40, 44

@@ -17,8 +17,8 @@ from generators.weberpenn import WeberPennGen
 from tests.asset.conftest import make_tree
 from tests.conftest import blob
 from treefit.asset import AssetSettings
-from treefit.asset.glb import write_glb
-from treefit.asset.picture import picture
+from treefit.asset.formats.glb import write_glb
+from treefit.asset.pictures.picture import picture
 from treefit.plant import Budget, Generator, Plant
 from treefit.similarity import Mix, PaperSimilarity
 from treefit.view import BitMask, Frame, OrthographicView

@@ -26,8 +26,8 @@ from generators.simplegen import SimpleGen
 from tests.experiments.program import finish
 from tests.failing import Failing
 from treefit.asset import AssetSettings
-from treefit.asset.font import fitted, font
-from treefit.asset.frame import BASE_SHARE
+from treefit.asset.pictures.font import fitted, font
+from treefit.asset.pictures.frame import BASE_SHARE
 from treefit.plant import Parameter, ParameterSpace, Plant, Preset, Value
 
 MASKS, BOTH = Drawing(AssetSettings(), "mask", 100, 100), Drawing(AssetSettings(), "both", 100, 60)

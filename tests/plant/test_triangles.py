@@ -12,8 +12,8 @@ from generators.gegen import GEGen
 from generators.simplegen import SimpleGen
 from generators.weberpenn import WeberPennGen
 from treefit.asset import AssetSettings, write_glb
-from treefit.asset.glb import plant_meshes
-from treefit.asset.leaf_outline import leaf_card
+from treefit.asset.mesh.leaf_outline import leaf_card
+from treefit.asset.model import model_of
 from treefit.plant import LEAF_SHAPES, Budget, Generator, Look, Plant
 from treefit.plant.characteristics import Characteristics
 from treefit.plant.triangles import OF_A_LEAF, OUTLINE, SIDES, budget_of, triangles
@@ -28,7 +28,7 @@ def grown(generator: Generator, count: int) -> list[Plant]:
 
 
 def written(plant: Plant, settings: AssetSettings) -> int:
-    return sum(len(mesh.faces) for mesh in plant_meshes(plant, settings).values())
+    return model_of(plant, settings).counts.triangles
 
 
 @pytest.mark.parametrize("generator", GENERATORS, ids=lambda generator: generator.name)

@@ -2,39 +2,39 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Annotated
+from typing import Annotated, Literal
 
-from PIL import ImageColor
 from pydantic import BeforeValidator, ConfigDict, Field
 from pydantic.dataclasses import dataclass
 
-from treefit.asset.leaf_outline import Outline
+from treefit.asset.material.colour import Colour, parse_colour
+from treefit.asset.mesh.leaf_outline import Outline
 
-Colour = tuple[int, int, int]
+BarkKind = Literal["auto", "furrowed", "plated", "smooth", "ringed"]
+Format = Literal["obj", "ply", "usd", "json", "npz"]
+Detail = Annotated[float, Field(gt=0, le=1)] | Annotated[int, Field(ge=2)] | Literal["billboard"]
+"""A share of the triangles of the whole model, a count of triangles, or crossed cards."""
 
 
-def parse_colour(value: object) -> Colour:
-    """Return (r, g, b) in 0..255 (sRGB) from '#rrggbb', a CSS colour name or three whole numbers."""
-    if isinstance(value, str):
-        try:
-            red, green, blue = ImageColor.getrgb(value)[:3]
-        except ValueError:
-            raise ValueError(f"colour must be like '#6b4f3a' or a CSS colour name, got {value!r}") from None
-        return int(red), int(green), int(blue)
-    numbers = list(value) if isinstance(value, Sequence) else []
-    if len(numbers) != 3 or not all(type(n) is int and 0 <= n <= 255 for n in numbers):
-        raise ValueError(f"colour must be like '#6b4f3a' or [107, 79, 58] (numbers in 0..255), got {value!r}")
-    return numbers[0], numbers[1], numbers[2]
+def _colour(value: object) -> Colour | None:
+    return None if value is None else parse_colour(value)
 
 
 @dataclass(frozen=True, config=ConfigDict(extra="forbid"))
 class AssetSettings:
-    """Shape and colours of an exported plant and the size of its picture; colours are sRGB."""
+    """Shape, materials, levels of detail and files of an exported plant, and its pictures; colours are sRGB."""
 
     sides: Annotated[int, Field(ge=3, le=32)] = 7  # corners of the thickest stem
-    leaf_outline: Outline = "auto"  # auto: the one that the generator gave the plant, else broad
+    leaf_outline: Outline = "auto"  # auto: the one that the generator gave the plant, else by the leaf's proportions
     leaf_fold: Annotated[float, Field(ge=0, le=60)] = 18.0  # degrees each half is raised
-    bark: Annotated[Colour, BeforeValidator(parse_colour)] = (112, 88, 68)
-    leaf: Annotated[Colour, BeforeValidator(parse_colour)] = (98, 140, 62)
+    colours: Literal["from_image", "own"] = "from_image"  # where colours that are not given come from
+    bark: Annotated[Colour | None, BeforeValidator(_colour)] = None
+    leaf: Annotated[Colour | None, BeforeValidator(_colour)] = None
+    bark_kind: BarkKind = "auto"
+    texture_size: Annotated[int, Field(ge=0, le=2048)] = 512  # pixels of a texture's side, 0: plain colours
+    vertex_colours: Literal["occlusion", "wind"] = "occlusion"  # what COLOR_0 holds; the other one is COLOR_1
+    lods: tuple[Detail, ...] = (1.0, 0.4, 0.15, "billboard")
+    formats: tuple[Format, ...] = ()  # besides GLB
     picture_size: Annotated[int, Field(ge=16, le=4096)] = 512  # height in pixels
+    renderer: Literal["auto", "software", "pyrender"] = "auto"
+    turntable: Annotated[int, Field(ge=0, le=120)] = 24  # pictures of a whole turn, 0: none

@@ -5,28 +5,28 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from treefit.asset.material.colour import Colour, to_linear
 from treefit.asset.mesh import Mesh
-from treefit.asset.settings import AssetSettings, Colour
 from treefit.plant import Plant
 
 Floats = NDArray[np.float32]
 
 
-def leaf_colours(plant: Plant, mesh: Mesh, settings: AssetSettings) -> Floats:
+def leaf_colours(plant: Plant, mesh: Mesh, own: Colour) -> Floats:
     """Linear colours (n, 3): each leaf a little lighter or darker, yellower or bluer; fixed by its index."""
     k = plant.n_leaves
     index = np.arange(k, dtype=np.uint64)
     light = _noise(index, 1)
     hue = _noise(index, 2)
     factor = np.column_stack([0.86 + 0.40 * hue, 0.94 + 0.12 * hue, 1.16 - 0.50 * hue]) * (0.76 + 0.5 * light)[:, None]
-    colour = to_linear(settings.leaf) * factor
+    colour = to_linear(own) * factor
     return np.asarray(np.repeat(colour, len(mesh.vertices) // k, axis=0), dtype=np.float32)
 
 
-def bark_colours(mesh: Mesh, settings: AssetSettings, tall: float) -> Floats:
+def bark_colours(mesh: Mesh, own: Colour, tall: float) -> Floats:
     """Linear colours (n, 3): darker at the foot, lighter and a little greyer towards the twigs."""
     up = np.clip(mesh.vertices[:, 2] / tall, 0, 1)[:, None]
-    return np.asarray(to_linear(settings.bark) * (0.72 + 0.5 * up**0.6), dtype=np.float32)
+    return np.asarray(to_linear(own) * (0.72 + 0.5 * up**0.6), dtype=np.float32)
 
 
 def _noise(index: NDArray[np.uint64], stream: int) -> NDArray[np.float64]:
@@ -36,14 +36,3 @@ def _noise(index: NDArray[np.uint64], stream: int) -> NDArray[np.float64]:
     z = (z ^ (z >> np.uint64(27))) * np.uint64(0x94D049BB133111EB)
     numbers: NDArray[np.float64] = (z >> np.uint64(11)) / 2.0**53
     return numbers
-
-
-def to_linear(colour: Colour) -> NDArray[np.float64]:
-    """Linear (3,) in [0, 1] of an sRGB colour in 0..255."""
-    srgb = np.array(colour) / 255
-    return np.asarray(np.where(srgb <= 0.04045, srgb / 12.92, ((srgb + 0.055) / 1.055) ** 2.4))
-
-
-def to_srgb(linear: Floats) -> Floats:
-    """Return sRGB (..., 3) in [0, 1] of linear colours, near enough for pictures; lights over 1 are cut."""
-    return np.asarray(np.clip(linear, 0, 1) ** np.float32(1 / 2.2), dtype=np.float32)

@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image, ImageDraw
 
-from treefit.asset.font import fitted, font
-from treefit.asset.frame import BASE_SHARE, TREE_SHARE
+from treefit.asset.pictures.font import fitted, font
+from treefit.asset.pictures.frame import BASE_SHARE, TREE_SHARE
 from treefit.mask import PALETTE, Mask, check_mask
 
 Picture = NDArray[np.uint8]  # (h, w, 3) sRGB

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from treefit.asset.glb import write_glb
+from treefit.asset.formats.glb import write_glb
 from treefit.asset.settings import AssetSettings
 from treefit.plant import LEAF_SHAPES, Look
 
@@ -21,7 +21,7 @@ def missing() -> str | None:
     """Return what the validator lacks on this machine, None when it can run."""
     if shutil.which("node") is None:
         return "Node.js is missing"
-    places = [HERE.parent / "node_modules", *map(Path, filter(None, os.environ.get("NODE_PATH", "").split(":")))]
+    places = [HERE.parents[1] / "node_modules", *map(Path, filter(None, os.environ.get("NODE_PATH", "").split(":")))]
     if not any((place / "gltf-validator").is_dir() for place in places):
         return "npm module gltf-validator is missing: npm install --prefix tests"
     return None

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from treefit.asset.zbuffer import nearest_triangles
+from treefit.asset.pictures.zbuffer import nearest_triangles
 from treefit.plant import Plant
 
 Floats = NDArray[np.float32]

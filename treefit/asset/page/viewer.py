@@ -68,7 +68,7 @@ def write_viewer(
         "picture": _embedded(Image.fromarray(picture_rgb), "JPEG"),
         "mask": _embedded(Image.fromarray(colours), "PNG"),
     }
-    template = resources.files("treefit.asset").joinpath(_PAGE).read_text(encoding="utf-8")
+    template = resources.files("treefit.asset.page").joinpath(_PAGE).read_text(encoding="utf-8")
     page = re.sub(r"\{\{(\w+)\}\}", lambda found: parts[found.group(1)], template)
     Path(path).write_text(page, encoding="utf-8")
 

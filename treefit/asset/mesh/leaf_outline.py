@@ -10,7 +10,7 @@ from typing import Literal, cast
 import numpy as np
 from numpy.typing import NDArray
 
-from treefit.asset.feather import Feather, frond, tuft
+from treefit.asset.mesh.feather import Feather, frond, tuft
 from treefit.plant import LEAF_SHAPES, LeafShape, Look
 from treefit.plant.look import leaf_shape_of
 

@@ -8,7 +8,7 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-from treefit.asset.light import SUN, SunMap
+from treefit.asset.pictures.light import SUN, SunMap
 
 Floats = NDArray[np.float32]
 

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from treefit.asset import AssetSettings
-from treefit.asset.glb import plant_meshes
-from treefit.asset.leaf_outline import leaf_card, outline_of
+from treefit.asset.mesh.leaf_outline import leaf_card, outline_of
+from treefit.asset.model import model_of
 from treefit.plant import LEAF_SHAPES, Look
 
 TRIANGLES = {"broad": 4, "round": 6, "narrow": 4, "lobed": 8, "needle": 2, "tuft": 9, "frond": 24}
@@ -22,8 +22,8 @@ def test_the_wish_of_the_plant_counts_unless_the_user_has_one():
 
 @pytest.mark.parametrize("shape", LEAF_SHAPES)
 def test_files_have_the_outline_of_the_plant(tree, shape):
-    told = plant_meshes(dataclasses.replace(tree, look=Look(leaf_shape=shape)), AssetSettings())["leaves"]
-    chosen = plant_meshes(tree, AssetSettings(leaf_outline=shape))["leaves"]
+    told = model_of(dataclasses.replace(tree, look=Look(leaf_shape=shape)), AssetSettings()).parts["leaves"].mesh
+    chosen = model_of(tree, AssetSettings(leaf_outline=shape)).parts["leaves"].mesh
     assert told.vertices.tobytes() == chosen.vertices.tobytes()
     assert len(told.faces) == TRIANGLES[shape] * tree.n_leaves
 

@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 from treefit.asset import GalleryEntry, gallery
-from treefit.asset.gallery import _HEIGHT, _MARGIN, _TOP
+from treefit.asset.pictures.gallery import _HEIGHT, _MARGIN, _TOP
 from treefit.mask import PALETTE
 
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from treefit.asset.stems import Stems, narrowing
+from treefit.asset.mesh.stems import Stems, narrowing
 from treefit.plant.corners import LobedStems
 
 Floats = NDArray[np.float64]

@@ -1,30 +1,15 @@
-"""Mesh: branches as tapered tubes and leaves as folded cards, in the plant's own frame (z up, metres)."""
+"""Tubes: the branches of a plant as tapered tubes, in the plant's own frame (z up, metres)."""
 
 from __future__ import annotations
-
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from treefit.asset.leaf_outline import leaf_card
-from treefit.asset.lobes import Lobes, lobes_of
-from treefit.asset.stems import Stems, stems_of
-from treefit.plant import LeafShape, Plant
+from treefit.asset.mesh.lobes import Lobes, lobes_of
+from treefit.asset.mesh.mesh import Mesh, unit
+from treefit.asset.mesh.stems import Stems, stems_of
+from treefit.plant import Plant
 from treefit.plant.corners import corners_of, lobed_stems
-
-Floats = NDArray[np.float32]
-Ints = NDArray[np.int32]
-
-
-@dataclass(frozen=True, eq=False)
-class Mesh:
-    """Triangles whose corners run counter-clockwise seen from outside."""
-
-    vertices: Floats  # (n, 3) m
-    faces: Ints  # (m, 3)
-    normals: Floats  # (n, 3) unit
-    uv: Floats  # (n, 2); tubes: metres around and along, leaves: the unit square, tip on top
 
 
 def branch_meshes(plant: Plant, sides: int = 8) -> dict[str, Mesh]:
@@ -42,27 +27,6 @@ def branch_meshes(plant: Plant, sides: int = 8) -> dict[str, Mesh]:
     lobed = lobed_stems(stems, plant.look, sides)
     lobes, sides_of = lobes_of(stems, lobed), corners_of(stems, lobed, sides)
     return {name: _tubes(stems, chosen, sides_of, lobes) for name, chosen in levels.items() if chosen.any()}
-
-
-def leaf_mesh(plant: Plant, shape: LeafShape = "broad", fold: float = 0.0) -> Mesh:
-    """Return the leaves as cards, each of area pi/4 * length * width, with halves raised by `fold` degrees."""
-    card = leaf_card(shape, fold)
-    k, corners = plant.n_leaves, len(card.place)
-    axis = np.asarray(plant.leaf_axis, dtype=np.float32)
-    normal = np.asarray(plant.leaf_normal, dtype=np.float32)
-    across = np.cross(axis, normal)
-    frame = np.stack([across, axis, normal], axis=1)  # (k, 3, 3), rows are the card's x, y, z
-    length, width = plant.leaf_size[:, :1], plant.leaf_size[:, 1:]
-    stretch = np.concatenate([width, length, width], axis=1)
-    vertices = np.matmul(card.place[None] * stretch[:, None], frame) + plant.leaf_position[:, None]
-    normals = np.matmul(np.broadcast_to(card.normal, (k, corners, 3)), frame)
-    faces = card.faces[None] + corners * np.arange(k, dtype=np.int32)[:, None, None]
-    return Mesh(
-        np.ascontiguousarray(vertices, dtype=np.float32).reshape(-1, 3),
-        faces.astype(np.int32).reshape(-1, 3),
-        _unit(normals.reshape(-1, 3)),
-        np.tile(card.uv, (k, 1)),
-    )
 
 
 def _tubes(stems: Stems, chosen: NDArray[np.bool_], sides_of: NDArray[np.int64], lobes: Lobes | None) -> Mesh:
@@ -90,7 +54,7 @@ def _tubes(stems: Stems, chosen: NDArray[np.bool_], sides_of: NDArray[np.int64],
     vertices, normals, uv = (np.concatenate(parts) for parts in zip(rim, tips, hubs, strict=True))
     faces = np.concatenate([walls, caps, feet, lobed_feet])
     return Mesh(
-        vertices.astype(np.float32), faces.astype(np.int32), _unit(normals), uv.astype(np.float32)
+        vertices.astype(np.float32), faces.astype(np.int32), unit(normals), uv.astype(np.float32)
     )  # fmt: skip
 
 
@@ -160,8 +124,3 @@ def _ranges(start: NDArray[np.int64], count: NDArray[np.int64]) -> NDArray[np.in
     skipped = np.cumsum(count) - count
     steps: NDArray[np.int64] = np.arange(count.sum()) - np.repeat(skipped - start, count)
     return steps
-
-
-def _unit(vectors: NDArray[np.floating]) -> Floats:
-    length = np.linalg.norm(vectors, axis=1, keepdims=True)
-    return np.asarray(vectors / np.maximum(length, 1e-12), dtype=np.float32)

@@ -5,7 +5,7 @@ import pytest
 
 from tests.asset.bodies import areas, solid, wood
 from treefit.asset.mesh import branch_meshes
-from treefit.asset.stems import stems_of
+from treefit.asset.mesh.stems import stems_of
 from treefit.plant import Plant
 
 

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from treefit.asset import AssetSettings, picture
-from treefit.asset.frame import BASE_SHARE, TREE_SHARE
-from treefit.asset.zbuffer import nearest_triangles
+from treefit.asset.pictures.frame import BASE_SHARE, TREE_SHARE
+from treefit.asset.pictures.zbuffer import nearest_triangles
 
 
 def bare(tree):

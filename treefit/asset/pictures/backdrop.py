@@ -6,9 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image, ImageFilter
 
-from treefit.asset.frame import Frame
-from treefit.asset.light import SunMap
-from treefit.asset.paint import to_linear
+from treefit.asset.material.colour import to_linear
+from treefit.asset.pictures.frame import Frame
+from treefit.asset.pictures.light import SunMap
 
 Floats = NDArray[np.float32]
 

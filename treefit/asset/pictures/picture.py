@@ -7,15 +7,17 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from treefit.asset.backdrop import backdrop
-from treefit.asset.frame import TREE_SHARE, Frame, frame_plant
-from treefit.asset.glb import plant_meshes
-from treefit.asset.light import sky_seen, sun_map
+from treefit.asset.material.colour import to_srgb
+from treefit.asset.material.tree_materials import TreeColours
 from treefit.asset.mesh import Mesh
-from treefit.asset.paint import bark_colours, leaf_colours, to_srgb
+from treefit.asset.model import model_of
+from treefit.asset.pictures.backdrop import backdrop
+from treefit.asset.pictures.frame import TREE_SHARE, Frame, frame_plant
+from treefit.asset.pictures.light import sky_seen, sun_map
+from treefit.asset.pictures.paint import bark_colours, leaf_colours
+from treefit.asset.pictures.shade import Surface, shade
+from treefit.asset.pictures.zbuffer import nearest_triangles
 from treefit.asset.settings import AssetSettings
-from treefit.asset.shade import Surface, shade
-from treefit.asset.zbuffer import nearest_triangles
 from treefit.plant import Plant
 from treefit.plant.extent import extent_of
 
@@ -26,22 +28,27 @@ _FINER = 2  # samples a pixel along each side
 _THINNEST = 0.3  # radius in pixels
 
 
-def picture(plant: Plant, settings: AssetSettings, size: int | tuple[int, int] | Frame | None = None) -> Picture:
+def picture(
+    plant: Plant,
+    settings: AssetSettings,
+    size: int | tuple[int, int] | Frame | None = None,
+    seen: TreeColours | None = None,
+) -> Picture:
     """Return a picture (h, w, 3) of `plant` from the front (orthographic, trunk base in the middle column).
 
     `size` is (h, w), or the height alone when the width shall follow the plant; default settings.picture_size.
     A Frame sets the scale too, so that several plants are shown at one.
     """
     size = size or settings.picture_size
-    surface = _surface(_thickened(plant, size), settings)
+    surface = _surface(_thickened(plant, size), settings, seen)
     frame = (size if isinstance(size, Frame) else frame_plant(surface.place, size)).finer(_FINER)
     tall = float(surface.place[:, 2].max())
     screen = frame.project(surface.place)
-    seen, _ = nearest_triangles(screen, surface.faces, frame.height, frame.width)
+    nearest, _ = nearest_triangles(screen, surface.faces, frame.height, frame.width)
     sun = sun_map(surface.place, surface.faces)
     image = backdrop(frame, sun, tall)
-    shade(surface, screen, seen, sun, 0.008 * tall, image)
-    fine = to_srgb(_tone(image, seen >= 0))
+    shade(surface, screen, nearest, sun, 0.008 * tall, image)
+    fine = to_srgb(_tone(image, nearest >= 0))
     h, w = frame.height // _FINER, frame.width // _FINER
     mean = fine.reshape(h, _FINER, w, _FINER, 3).mean(axis=(1, 3))
     return np.asarray(mean * 255 + 0.5, dtype=np.uint8)
@@ -57,10 +64,9 @@ def _thickened(plant: Plant, size: int | tuple[int, int] | Frame) -> Plant:
     return replace(plant, radius=np.maximum(plant.radius, thinnest))
 
 
-def _surface(plant: Plant, settings: AssetSettings) -> Surface:
-    meshes = plant_meshes(plant, settings)
-    if not meshes:
-        raise ValueError("picture: the plant has no stem longer than zero and no leaf, nothing to show")
+def _surface(plant: Plant, settings: AssetSettings, seen: TreeColours | None) -> Surface:
+    model = model_of(plant, settings, seen)
+    meshes = {name: part.mesh for name, part in model.parts.items()}
     tall = max(float(mesh.vertices[:, 2].max()) for mesh in meshes.values())
     parts = list(meshes.items())
     place = np.concatenate([mesh.vertices for _, mesh in parts])
@@ -70,8 +76,10 @@ def _surface(plant: Plant, settings: AssetSettings) -> Surface:
     normal = np.concatenate([_leaf_normals(mesh) if name == "leaves" else mesh.normals for name, mesh in parts])
     colour = np.concatenate(
         [
-            leaf_colours(plant, mesh, settings) if name == "leaves" else bark_colours(mesh, settings, tall)
-            for name, mesh in parts
+            leaf_colours(plant, part.mesh, part.material.colour)
+            if name == "leaves"
+            else bark_colours(part.mesh, part.material.colour, tall)
+            for name, part in model.parts.items()
         ]
     )
     grain = np.array([0.006, 0.05], dtype=np.float32) * tall

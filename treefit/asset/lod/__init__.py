@@ -1,0 +1,1 @@
+"""Levels of detail of one plant, down to crossed cards."""

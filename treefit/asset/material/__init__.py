@@ -1,0 +1,1 @@
+"""What bark and leaves look like: colours and textures that the project makes."""

@@ -1,0 +1,1 @@
+"""Pages that show trees in a browser, without a network."""

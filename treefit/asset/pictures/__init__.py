@@ -1,0 +1,1 @@
+"""Pictures of models and the sheets that they stand on."""
