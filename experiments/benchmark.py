@@ -50,7 +50,7 @@ def run(cfg: DictConfig) -> None:
     settings = read_settings(cfg)
     facts = measure(generator, view, similarity, settings.seed)
     if settings.preset is not None:
-        values, seed = wanted_plant(cfg, generator)
+        values, seed, _ = wanted_plant(cfg, generator)
         facts["preset"] = {"name": settings.preset, **plant_speed(_aimed(generator, view, similarity, seed), [values])}
     if settings.benchmark.startup:
         facts["first_evaluation_seconds"] = first_evaluation_seconds(run_folder() / "config.yaml")

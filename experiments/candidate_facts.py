@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 
-from treefit.asset import MeshCounts
+from treefit.asset import MeshCounts, TreeFiles
 from treefit.candidates import Candidate
 
 OTHER_SEEDS = "other_seeds"
@@ -99,7 +99,29 @@ def record(found: Candidate, mesh: MeshCounts) -> dict[str, Number | None]:
 
 
 def metrics(found: Candidate, mesh: MeshCounts) -> dict[str, float]:
-    """All facts that are known, for the tracker; the mean over other seeds is `other_seeds/<name>`."""
-    here = {fact.name: float(fact.here(found, mesh)) for fact in FACTS}
-    pairs = ((fact.name, fact.elsewhere(found)) for fact in FACTS if fact.elsewhere is not None)
-    return here | {f"{OTHER_SEEDS}/{name}": value for name, value in pairs if value is not None}
+    """All facts that are known, for the tracker, to four digits; more measures are under `more/`.
+
+    The mean of the others over other seeds is `<name>_other_seeds`.
+    """
+    told: dict[str, float] = {}
+    for fact in FACTS:
+        name = f"more/{fact.name}" if fact.group == DETAIL else fact.name
+        told[name] = round(float(fact.here(found, mesh)), 4)
+        other = fact.elsewhere(found) if fact.elsewhere is not None and fact.group != DETAIL else None
+        if other is not None:
+            told[f"{name}_{OTHER_SEEDS}"] = round(other, 4)
+    return told
+
+
+def level_facts(tree: TreeFiles) -> dict[str, object]:
+    """Levels of detail of a tree and the names of its files, for JSON."""
+    return {"levels": [asdict(level) for level in tree.levels], "files": [*tree.names]}
+
+
+def level_columns(tree: TreeFiles) -> dict[str, Number]:
+    """Levels of detail but the whole model, for a table: `triangles_LOD1`, `silhouette_iou_LOD1` and so on."""
+    columns: dict[str, Number] = {}
+    for level in tree.levels[1:]:
+        number = level.name.rpartition("_")[2]
+        columns |= {f"triangles_{number}": level.triangles, f"silhouette_iou_{number}": level.silhouette_iou}
+    return columns

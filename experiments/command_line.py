@@ -18,7 +18,7 @@ PATTERN_KEYS = ("similarities.masks", "compare.masks", "masks.pictures", "masks.
 OPEN_KEYS = ("values", "generator.fixed", "compare.variants")
 """Tables that may be given any name; Hydra wants a plus for one that is not in the configuration yet."""
 
-KEPT_ON_RESUME = ("resume", "debug", "tracking", "evaluator", "stop", "hydra")
+KEPT_ON_RESUME = ("resume", "debug", "live", "tracking", "evaluator", "stop", "hydra")
 """Settings that a resumed run may be given: none of them changes what the search would have found."""
 
 _SETTING = re.compile(r"(?P<key>\+{0,2}[\w./@]+)=(?P<value>.*)", re.DOTALL)

@@ -9,18 +9,26 @@ from omegaconf import DictConfig
 
 from experiments.beginning import remember, start_of
 from experiments.build import build
-from experiments.candidate_facts import metrics
 from experiments.candidate_words import row
+from experiments.dressing import suited
 from experiments.errors import UserError
+from experiments.live import Live, NoLive
+from experiments.live_page import PAGE
 from experiments.read_tree import ReadTree, read_tree
 from experiments.run_folder import run_folder
 from experiments.run_log import RunLog
+from experiments.run_story import failure_story, fit_story
+from experiments.search_stages import stage_name
+from experiments.search_story import write_search_story
 from experiments.settings import Candidates, read_settings
 from experiments.summary import summary
 from experiments.sweep_parent import parent_run
-from experiments.terminal import Progress, print_results
-from experiments.write_run import write_candidates, write_gallery, write_json, write_page, write_table
-from treefit.asset import AssetSettings
+from experiments.terminal import Progress, print_live, print_results
+from experiments.tracked import standing, start_tracking, track_result
+from experiments.viewer_page import write_page
+from experiments.where_to_browse import where_to_browse
+from experiments.write_run import write_candidates, write_json, write_sheets, write_table
+from treefit.asset import AssetSettings, Level, check_possible
 from treefit.checkpoint import CheckpointError
 from treefit.distinct import Distinct
 from treefit.evaluation import Evaluator
@@ -40,49 +48,70 @@ def run(cfg: DictConfig) -> None:
     """Fit cfg.generator to cfg.image; SearchError when nothing could be scored."""
     folder = run_folder()
     tree = read_tree(cfg, folder)
+    cfg = suited(cfg, tree)
+    generator = cast(Generator, build(cfg.generator, "generator"))
     tracker = cast(Tracker, build(cfg.tracking, "tracking"))
-    tracker.start(folder.name, _tags(cfg, tree), _params(cfg), parent_run())
+    start_tracking(tracker, cfg, tree, generator, folder, parent_run())
     status = "FAILED"
     try:
-        _fit_and_write(cfg, tree, tracker, folder)
+        with _live(cfg, tree, generator, folder) as live:
+            _fit_and_write(cfg, tree, generator, tracker, folder, live)
         status = "FINISHED"
     except KeyboardInterrupt:
         status = "KILLED"
+        raise
+    except Exception as error:
+        tracker.tell(failure_story(tree, generator.name, error))
         raise
     finally:
         tracker.artifacts(folder)
         tracker.finish(status)
 
 
-def _fit_and_write(cfg: DictConfig, tree: ReadTree, tracker: Tracker, folder: Path) -> None:
-    generator = cast(Generator, build(cfg.generator, "generator"))
+def _live(cfg: DictConfig, tree: ReadTree, generator: Generator, folder: Path) -> NoLive:
+    """Page that shows the search while it goes on, when it is wanted."""
+    if not read_settings(cfg).live:
+        return NoLive()
     asset = cast(AssetSettings, build(cfg.asset, "asset"))
-    result = _fit(cfg, tree.extraction.mask, generator, tracker, folder)
+    print_live(folder / PAGE)
+    return Live(folder, tree, f"{tree.name} by {generator.name}", int(cfg.optimizer.evaluations), asset)
+
+
+def _fit_and_write(
+    cfg: DictConfig, tree: ReadTree, generator: Generator, tracker: Tracker, folder: Path, live: NoLive
+) -> None:
+    asset = cast(AssetSettings, build(cfg.asset, "asset"))
+    check_possible(asset)
+    result = _fit(cfg, tree.extraction.mask, generator, tracker, folder, live)
+    live.searched()
     found = result.candidates
     remember(read_settings(cfg).memory, generator, tree.extraction.mask, found[0])
-    meshes = write_candidates(folder, found, generator, asset)
-    write_gallery(folder, tree, found, meshes, f"{tree.name} by {generator.name}")
-    write_page(folder, tree, found, meshes)
-    write_json(folder / "summary.json", summary(result, generator, tree, cfg.seed, meshes))
-    write_table(folder / "candidates.csv", found, meshes)
-    tracker.log(metrics(found[0], meshes[0]), result.evaluations)
+    files = write_candidates(folder, found, generator, asset, tree.colours)
+    meshes = [each.counts for each in files]
+    write_sheets(folder, tree, found, meshes, f"{tree.name} by {generator.name}")
+    write_search_story(folder, result, tree, asset, f"{tree.name} by {generator.name}")
+    levels = [[Level(level.triangles, level.silhouette_iou) for level in each.levels] for each in files]
+    write_page(folder, tree, found, meshes, generator.space, levels)
+    write_json(folder / "summary.json", summary(result, generator, tree, cfg.seed, files))
+    write_table(folder / "candidates.csv", found, files)
+    track_result(tracker, found[0], meshes[0], result.evaluations)
+    tracker.tell(fit_story(folder, tree, found, meshes, generator.name))
     rows = [row(i + 1, *each) for i, each in enumerate(zip(found, meshes, strict=True))]
-    print_results(rows, folder, tracker.where)
+    print_results(rows, folder, where_to_browse(cfg.tracking, tracker))
 
 
-def _fit(cfg: DictConfig, mask: Mask, generator: Generator, tracker: Tracker, folder: Path) -> Result:
+def _fit(cfg: DictConfig, mask: Mask, generator: Generator, tracker: Tracker, folder: Path, live: NoLive) -> Result:
     settings = read_settings(cfg)
     strategy = cast(Strategy, build(cfg.optimizer, "optimizer"))
     log = RunLog(folder)
     with Progress() as progress:
 
         def on_generation(now: Generation, failures: list[Failure]) -> None:
-            progress.update(now.evaluations, strategy.evaluations, now.best, now.evaluations_per_second)
+            progress.update(now.evaluations, strategy.evaluations, now.best, now.evaluations_per_second,
+                            stage_name(now.stage))  # fmt: skip
             log.write(now, failures)
-            tracker.log(
-                {"best": now.best, "best_image": now.best_image, "mean": now.mean, "failures": now.failures,
-                 "evaluations_per_second": now.evaluations_per_second}, now.evaluations,
-            )  # fmt: skip
+            live.on_generation(now)
+            tracker.log(standing(now), now.evaluations)
 
         try:
             return fit(
@@ -96,7 +125,7 @@ def _fit(cfg: DictConfig, mask: Mask, generator: Generator, tracker: Tracker, fo
                 other_seeds=settings.other_seeds, stop=Stop(settings.stop.score, settings.stop.seconds),
                 checkpoint=folder / "checkpoint.npz",
                 start=start_of(settings.start, settings.memory, generator, mask, folder),
-                on_generation=on_generation,
+                on_generation=on_generation, on_improvement=live.on_improvement,
             )  # fmt: skip
         except CheckpointError as error:
             raise UserError(f"resume: {error}") from error
@@ -104,16 +133,3 @@ def _fit(cfg: DictConfig, mask: Mask, generator: Generator, tracker: Tracker, fo
 
 def _distinct(settings: Candidates) -> Distinct:
     return Distinct(settings.min_distance, settings.within)
-
-
-def _tags(cfg: DictConfig, tree: ReadTree) -> dict[str, str]:
-    kinds = {group: str(cfg[group].get("_target_", group)).rpartition(".")[2] for group in ("generator", "optimizer")}
-    return {**kinds, "image": tree.name}
-
-
-def _params(cfg: DictConfig) -> dict[str, str]:
-    """The few settings that runs are compared by."""
-    chosen = {"seed": cfg.seed, "evaluations": cfg.optimizer.get("evaluations"),
-              "resolution": cfg.view.get("resolution"), "vertices": None}  # fmt: skip
-    wishes = cast(Characteristics, build(cfg.characteristics, "characteristics"))
-    return {name: str(value) for name, value in (chosen | wishes.wanted).items()}

@@ -8,12 +8,13 @@ from pathlib import Path
 
 from PIL import Image
 
+from experiments.dressing import look_of
 from experiments.errors import UserError
 from experiments.settings import Strip
 from experiments.sheet_cells import grow
 from experiments.strip_page import Moment, strip_page
 from experiments.terminal import counted
-from treefit.asset import AssetSettings, picture, write_glb
+from treefit.asset import AssetSettings, TreeColours, picture, write_tree
 from treefit.plant import Generator, Plant, Values, write_preset
 from treefit.plant.extent import extent_of
 
@@ -50,10 +51,11 @@ def _write_tree(
     folder: Path, generator: Generator, values: Values, seed: int, plant: Plant, asset: AssetSettings
 ) -> dict[str, str]:
     folder.mkdir(parents=True, exist_ok=True)
-    write_glb(plant, folder / "tree.glb", asset)
+    names = write_tree(folder, plant, asset).names
     Image.fromarray(picture(plant, asset)).save(folder / "picture.png")
-    write_preset(folder / "preset.yaml", generator=generator.name, version=generator.version, seed=seed, values=values)
-    return {name: str(folder / name) for name in ("tree.glb", "picture.png", "preset.yaml")}
+    write_preset(folder / "preset.yaml", generator=generator.name, version=generator.version, seed=seed, values=values,
+                 look=look_of(asset, TreeColours()))  # fmt: skip
+    return {name: str(folder / name) for name in (*names, "picture.png", "preset.yaml")}
 
 
 def _moment(seed: int, plant: Plant | str) -> Moment:

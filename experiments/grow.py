@@ -12,6 +12,8 @@ from omegaconf import DictConfig
 from PIL import Image
 
 from experiments.build import build
+from experiments.candidate_facts import level_facts
+from experiments.dressing import dressed, look_of
 from experiments.forest import write_forest
 from experiments.preset import wanted_plant
 from experiments.run_folder import run_folder
@@ -19,7 +21,7 @@ from experiments.settings import read_settings
 from experiments.sheet_cells import BUDGET
 from experiments.strip import write_strip
 from experiments.strip_growth import Growth, shown_parameter
-from treefit.asset import AssetSettings, picture, write_glb
+from treefit.asset import AssetSettings, TreeColours, picture, write_tree
 from treefit.plant import Generator, Plant, Values, check_plant, write_preset
 from treefit.plant.extent import extent_of
 
@@ -33,8 +35,8 @@ def run(cfg: DictConfig) -> None:
     could not be shown, and why.
     """
     generator, folder = cast(Generator, build(cfg.generator, "generator")), run_folder()
-    asset = cast(AssetSettings, build(cfg.asset, "asset"))
-    values, seed = wanted_plant(cfg, generator)
+    values, seed, look = wanted_plant(cfg, generator)
+    asset = dressed(cast(AssetSettings, build(cfg.asset, "asset")), look)
     seeds = read_settings(cfg).seeds
     if seeds is not None:
         title = f"{generator.name} {generator.version}{f': {_preset(cfg)}' if cfg.preset else ''} on {len(seeds)} seeds"
@@ -45,16 +47,18 @@ def run(cfg: DictConfig) -> None:
     check_plant(plant)
     if plant.cut:
         _log.warning("cut at %s vertices and %s leaves: these values ask for more", plant.n_vertices, plant.n_leaves)
-    counts = write_glb(plant, folder / "tree.glb", asset)
+    tree = write_tree(folder, plant, asset)
     Image.fromarray(picture(plant, asset)).save(folder / "picture.png")
-    write_preset(folder / "preset.yaml", generator=generator.name, version=generator.version, seed=seed, values=values)
+    write_preset(folder / "preset.yaml", generator=generator.name, version=generator.version, seed=seed, values=values,
+                 look=look_of(asset, TreeColours()))  # fmt: skip
     strips, failed = _strip(cfg, generator, values, seed, asset)
     facts = {
         "generator": generator.name,
         "seed": seed,
         **describe(plant),
-        "triangles": counts.triangles,
-        "files": {name: str(folder / name) for name in ("tree.glb", "picture.png", "preset.yaml", *strips)},
+        "triangles": tree.counts.triangles,
+        "levels": level_facts(tree)["levels"],
+        "files": {name: str(folder / name) for name in (*tree.names, "picture.png", "preset.yaml", *strips)},
         **({"strip_failed": failed} if strips else {}),
     }
     print(json.dumps(facts, ensure_ascii=False), flush=True)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import logging
+from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import PurePath
 from typing import cast
@@ -34,18 +35,18 @@ def find_preset(name: str, generator: Generator, place: str = "preset") -> Prese
     return preset
 
 
-def wanted_plant(cfg: DictConfig, generator: Generator) -> tuple[dict[str, Value], int]:
-    """Values by name and seed: those of cfg.preset, then what the command line sets."""
+def wanted_plant(cfg: DictConfig, generator: Generator) -> tuple[dict[str, Value], int, Mapping[str, str]]:
+    """Values by name, seed and look: those of cfg.preset, then what the command line sets."""
     given = cast(dict[str, Value], OmegaConf.to_container(cfg["values"], resolve=True))
-    seed = int(cfg.seed)
+    seed, look = int(cfg.seed), cast(Mapping[str, str], {})
     if cfg.preset is not None:
         preset = find_preset(str(cfg.preset), generator)
         warn_of_version(preset, generator)
-        given = {**preset.values, **given}
+        given, look = {**preset.values, **given}, preset.look
         if not any(line.startswith("seed=") for line in HydraConfig.get().overrides.task):
             seed = preset.seed
     with blame("values"):
-        return generator.space.complete(given), seed
+        return generator.space.complete(given), seed, look
 
 
 def warn_of_version(preset: Preset, generator: Generator) -> None:

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import logging
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 
 from omegaconf import DictConfig
 from PIL import Image
 
 from experiments.extractor import build_extractor
+from treefit.asset import TreeColours
+from treefit.asset.material.image_colours import image_colours
 from treefit.image import Extraction, Picture, overlay, read_picture, write_mask
 from treefit.image.picture import shrink
 from treefit.image.resize import resize_mask
@@ -27,6 +30,11 @@ class ReadTree:
     name: str
     picture: Picture
     extraction: Extraction
+
+    @cached_property
+    def colours(self) -> TreeColours:
+        """Colours of bark and leaves that the picture shows."""
+        return image_colours(self.picture.rgb, self.extraction.mask)
 
     @property
     def warnings(self) -> list[str]:

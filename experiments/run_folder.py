@@ -13,7 +13,7 @@ from experiments.errors import UserError
 from experiments.pictures import absolute, find_file, is_file
 from experiments.start_settings import listed
 
-CHANGED_ON_RESUME = ("tracking", "evaluator", "stop", "debug")
+CHANGED_ON_RESUME = ("tracking", "evaluator", "stop", "debug", "live")
 
 
 def run_folder() -> Path:
@@ -63,7 +63,7 @@ def discard(folder: Path) -> None:
     """Remove the folder of a run that could not begin, and outputs/ too when nothing else is in it."""
     chosen_by_user = any(line.startswith("hydra.run.dir=") for line in HydraConfig.get().overrides.hydra)
     for empty in [folder] if chosen_by_user else [folder, folder.parent]:
-        if any(empty.iterdir()):
+        if not empty.is_dir() or any(empty.iterdir()):
             return
         empty.rmdir()
 

@@ -10,6 +10,7 @@ from omegaconf import DictConfig, OmegaConf
 from pydantic import BeforeValidator, ConfigDict, Field, TypeAdapter, ValidationError, ValidationInfo, field_validator
 from pydantic.dataclasses import dataclass
 
+from experiments.browse_settings import BrowseSettings
 from experiments.compare_settings import Compare
 from experiments.errors import UserError, describe_validation, did_you_mean
 from experiments.pictures import examples
@@ -39,6 +40,7 @@ TASKS = {
     "statistics": ("generator", "similarity", "characteristics", "view", "evaluator"),
     "similarities": ("generator", "mask", "similarity", "characteristics", "optimizer", "view", "evaluator"),
     "compare": ("mask", "similarity", "characteristics", "view", "tracking"),
+    "browse": ("tracking",),
 }
 """Groups that a task builds, by task."""
 
@@ -205,9 +207,11 @@ class Settings:
     statistics: Statistics = field(default_factory=Statistics)
     objective: ObjectiveSettings = field(default_factory=ObjectiveSettings)
     seeds: SeedList = None
+    live: bool = False
     masks: Masks = field(default_factory=Masks)
     sheet: Sheet = field(default_factory=Sheet)
     strip: Strip = field(default_factory=Strip)
+    browse: BrowseSettings = field(default_factory=BrowseSettings)
 
     @field_validator("task")
     @classmethod

@@ -46,7 +46,7 @@ def run(cfg: DictConfig) -> None:
     started, folder, settings = time.perf_counter(), run_folder(), read_settings(cfg)
     generator = cast(Generator, build(cfg.generator, "generator"))
     asset = cast(AssetSettings, build(cfg.asset, "asset"))
-    usual, seed = wanted_plant(cfg, generator)
+    usual, seed, _ = wanted_plant(cfg, generator)
     beside, under = _drawings(asset, settings.sheet)
     rows = parameter_rows(generator, beside, settings.sheet.names, usual, seed)
     source = f"those of {Path(cfg.preset).stem}" if cfg.preset else "their defaults"

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import asdict
 from importlib.metadata import version
 
-from experiments.candidate_facts import record
+from experiments.candidate_facts import level_facts, record
 from experiments.read_tree import ReadTree
-from treefit.asset import MeshCounts
+from treefit.asset import TreeFiles
 from treefit.candidates import Candidate
 from treefit.fit import Result
 from treefit.plant import Generator
@@ -16,7 +17,7 @@ PACKAGES = ("treefit", "numpy", "numba")
 
 
 def summary(
-    result: Result, generator: Generator, tree: ReadTree, seed: int, meshes: list[MeshCounts]
+    result: Result, generator: Generator, tree: ReadTree, seed: int, files: list[TreeFiles]
 ) -> dict[str, object]:
     """Facts of a run for summary.json; only seconds and evaluations_per_second differ between equal runs."""
     best = result.candidates[0]
@@ -34,15 +35,17 @@ def summary(
         "generator": generator.name,
         "generator_version": generator.version,
         "image": tree.name,
+        "colours": asdict(tree.colours),
         "mask": {"method": tree.extraction.method, "confidence": tree.extraction.confidence, "warnings": tree.warnings},
         "versions": {name: version(name) for name in PACKAGES},
-        "candidates": [_candidate(found, mesh) for found, mesh in zip(result.candidates, meshes, strict=True)],
+        "candidates": [_candidate(found, tree) for found, tree in zip(result.candidates, files, strict=True)],
     }
 
 
-def _candidate(found: Candidate, mesh: MeshCounts) -> dict[str, object]:
+def _candidate(found: Candidate, files: TreeFiles) -> dict[str, object]:
     return {
-        **record(found, mesh),
+        **record(found, files.counts),
+        **level_facts(files),
         "multipliers": dict(found.score.multipliers),
         "seed": found.seed,
         "seeds": found.seeds,

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import atexit
 import sys
 from collections.abc import Mapping
 from pathlib import Path
 
+from hydra.core.utils import JobReturn
 from hydra.experimental.callback import Callback
 from omegaconf import DictConfig, OmegaConf
 
@@ -14,8 +16,10 @@ from experiments.errors import FAILED
 from experiments.sweep_page import write_page
 from experiments.sweep_parent import write_parent
 from experiments.sweep_picture import write_picture
-from experiments.sweep_table import Job, read_jobs, tabulate
+from experiments.sweep_story import GLANCE, numbers, sweep_story
+from experiments.sweep_table import Job, SweepTable, read_jobs, tabulate
 from experiments.terminal import print_sweep
+from experiments.where_to_browse import where_to_browse
 from treefit.tracking import NoTracker, Tracker
 
 SECONDS_FOR_PARENT = 30.0
@@ -38,29 +42,54 @@ class SweepCallback(Callback):
         parent = None
         if config.task == "fit" and OmegaConf.is_dict(config.tracking) and "_target_" in config.tracking:
             self._tracker = _tracker(config.tracking)
-            self._tracker.start(folder.name, {"kind": "sweep"}, {}, None)
+            self._tracker.start("sweep", {"task": "sweep", "folder": folder.name}, {}, None, folder)
             parent = self._tracker.identity(SECONDS_FOR_PARENT)
+            atexit.register(self._stopped, folder)
         write_parent(folder, parent)
+
+    def on_job_end(self, config: DictConfig, job_return: JobReturn, **_: object) -> None:  # noqa: ARG002
+        """Say on the parent's page how far the sweep is; runs of other processes are seen at its end."""
+        if not isinstance(self._tracker, NoTracker):
+            folder = Path(config.hydra.sweep.dir)
+            jobs = read_jobs(folder)
+            self._tell(folder, jobs, tabulate(jobs))
 
     def on_multirun_end(self, config: DictConfig, **_: object) -> None:
         """Write the table, end the parent run; the exit status tells whether a run failed."""
         folder = Path(config.hydra.sweep.dir)
+        jobs = self._write(folder)
+        failed = sum(job.status != "done" for job in jobs)
+        where = where_to_browse(config.tracking, self._tracker)
+        self._finish("FAILED" if failed else "FINISHED")
+        print_sweep(len(jobs), failed, folder, where)
+        if failed:
+            sys.exit(FAILED)
+
+    def _write(self, folder: Path) -> list[Job]:
+        """Write page and picture of the sweep, and show them on the parent's page."""
         jobs = read_jobs(folder)
         table = tabulate(jobs)
         write_page(table, folder / "sweep.html")
         write_picture(table, folder / "sweep.png")
-        failed = sum(job.status != "done" for job in jobs)
-        self._finish(folder, jobs, failed)
-        print_sweep(len(jobs), failed, folder, self._tracker.where)
-        if failed:
-            sys.exit(FAILED)
+        if not isinstance(self._tracker, NoTracker):
+            self._tracker.artifacts(folder, "sweep.*")
+            self._tell(folder, jobs, table)
+        return jobs
 
-    def _finish(self, folder: Path, jobs: list[Job], failed: int) -> None:
-        scores = [job.score for job in jobs if job.score is not None]
-        best = {"best_score": max(scores)} if scores else {}
-        self._tracker.log({"runs": len(jobs), "failed": failed, **best}, 0)
-        self._tracker.artifacts(folder, "sweep.*")
-        self._tracker.finish("FAILED" if failed else "FINISHED")
+    def _tell(self, folder: Path, jobs: list[Job], table: SweepTable) -> None:
+        self._tracker.tell(sweep_story(folder, jobs, table))
+        self._tracker.artifacts(folder, GLANCE)
+        self._tracker.log(numbers(jobs), len(jobs))
+
+    def _stopped(self, folder: Path) -> None:
+        """End the parent run of a sweep that was stopped: Hydra calls nothing then."""
+        self._write(folder)
+        self._finish("KILLED")
+
+    def _finish(self, status: str) -> None:
+        self._tracker.finish(status)
+        self._tracker = NoTracker()
+        atexit.unregister(self._stopped)
 
 
 def _tracker(node: DictConfig) -> Tracker:

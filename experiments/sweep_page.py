@@ -76,7 +76,7 @@ def _measures(job: Job) -> str:
 def _link(page: Path, folder: Path) -> str:
     if not page.is_file():
         return ""
-    return f'<a href="{quote(os.path.relpath(page, folder))}">turn it in 3D</a>'
+    return f'<a href="{quote(os.path.relpath(page, folder))}" target="_blank">turn it in 3D</a>'
 
 
 def _image(path: Path | None) -> str:

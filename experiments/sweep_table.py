@@ -7,6 +7,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from treefit.tracking.kept_run import run_of
+
 JOB_FILE = "job.json"
 PICTURES = ("candidates/1/picture.png", "gallery.png", "mask_overlay.png")
 """What stands for a run in the table: the first of these that it has."""
@@ -25,6 +27,7 @@ class Job:
     score: float | None = None
     score_other_seeds: float | None = None
     facts: Mapping[str, float] = field(default_factory=dict)
+    run: str | None = None  # its identity in the tracking
 
     @property
     def picture(self) -> Path | None:
@@ -87,6 +90,7 @@ def _read_job(file: Path) -> Job:
         score=facts.get("score"),
         score_other_seeds=facts.get("score_other_seeds"),
         facts=facts,
+        run=run_of(file.parent),
     )
 
 

@@ -12,7 +12,7 @@ from types import TracebackType
 from typing import TypeVar
 
 from rich.console import Console
-from rich.progress import BarColumn, MofNCompleteColumn, TextColumn, track
+from rich.progress import BarColumn, TextColumn, track
 from rich.progress import Progress as Bar
 from rich.table import Table
 
@@ -31,15 +31,15 @@ class Progress:
     def __init__(self, console: Console | None = None, silence: float = SECONDS_OF_SILENCE) -> None:
         self.console = console or Console(stderr=True)
         self._bar = Bar(
-            TextColumn("searching"),
-            BarColumn(),
-            MofNCompleteColumn(),
-            TextColumn("best [bold]{task.fields[best]:.4f}[/]  {task.fields[rate]:,.0f}/s  {task.fields[left]}"),
+            TextColumn("{task.description}", markup=False),
+            BarColumn(bar_width=None),
+            TextColumn("{task.fields[done]}  best [bold]{task.fields[best]:.4f}[/]  {task.fields[speed]}"),
             console=self.console,
             transient=True,
+            expand=True,
             disable=not self.console.is_terminal,
         )
-        self._task = self._bar.add_task("search", total=None, best=0.0, rate=0.0, left="")
+        self._task = self._bar.add_task("beginning", total=None, best=0.0, done="", speed="")
         self._next_line = 0.0
         self._patience = Timer(silence, self._explain_silence)
         self._patience.daemon = True
@@ -55,11 +55,13 @@ class Progress:
         self._patience.cancel()
         self._bar.stop()
 
-    def update(self, evaluations: int, total: int, best: float, rate: float) -> None:
-        """Show `evaluations` of `total` done, the `best` score so far and the `rate` per second."""
+    def update(self, evaluations: int, total: int, best: float, rate: float, stage: str = "searching") -> None:
+        """Show `evaluations` of `total` done, the `best` score so far, the `rate` per second and the `stage`."""
         self._patience.cancel()
         left = time_left(total - evaluations, rate)
-        self._bar.update(self._task, completed=evaluations, total=total, best=best, rate=rate, left=left)
+        taken = time_taken(evaluations / rate) if rate > 0 else "0 s"
+        self._bar.update(self._task, completed=evaluations, total=total, description=stage, best=best,
+                         done=f"{evaluations:,}/{total:,}", speed=f"{rate:,.0f}/s  {taken}, {left}")  # fmt: skip
         now = time.monotonic()
         if not self.console.is_terminal and (now >= self._next_line or evaluations >= total):
             self._next_line = now + SECONDS_BETWEEN_LINES
@@ -92,10 +94,15 @@ def time_left(evaluations: int, rate: float) -> str:
     """Words for the time that `evaluations` take at `rate` per second: "1 min 5 s left"."""
     if evaluations <= 0:
         return "done"
-    if rate <= 0:
-        return "time left unknown"
-    minutes, seconds = divmod(round(evaluations / rate), 60)
-    return f"{minutes} min {seconds} s left" if minutes else f"{seconds} s left"
+    return f"{time_taken(evaluations / rate)} left" if rate > 0 else "time left unknown"
+
+
+def time_taken(seconds: float) -> str:
+    """Words for a time: "5 s", "1 min 5 s", "2 h 3 min"."""
+    minutes, seconds = divmod(round(seconds), 60)
+    if minutes >= 60:
+        return f"{minutes // 60} h {minutes % 60} min"
+    return f"{minutes} min {seconds} s" if minutes else f"{seconds} s"
 
 
 def print_results(console_rows: Sequence[Mapping[str, str]], folder: Path, where: str) -> None:
@@ -107,6 +114,12 @@ def print_results(console_rows: Sequence[Mapping[str, str]], folder: Path, where
     if console_rows:
         console.print(_table(console_rows))
     _next_commands(console, f"results  {folder}", folder / "viewer.html", where)
+
+
+def print_live(page: Path) -> None:
+    """Print how to watch the search."""
+    line = f"live     python -m webbrowser {shlex.quote(page.resolve().as_uri())}"
+    Console(stderr=True).print(line, highlight=False, markup=False, soft_wrap=True)
 
 
 def print_sweep(count: int, failed: int, folder: Path, where: str) -> None:

@@ -18,6 +18,7 @@ from tests.asset.conftest import make_tree
 from tests.conftest import blob
 from treefit.asset import AssetSettings
 from treefit.asset.formats.glb import write_glb
+from treefit.asset.lod.levels import levels_of
 from treefit.asset.pictures.picture import picture
 from treefit.plant import Budget, Generator, Plant
 from treefit.similarity import Mix, PaperSimilarity
@@ -53,6 +54,7 @@ def _files_and_similarities() -> None:
     with TemporaryDirectory() as folder:
         write_glb(tree, Path(folder) / "tree.glb", AssetSettings())
     picture(tree, AssetSettings(picture_size=64))
+    levels_of(tree, AssetSettings(texture_size=64, lods=(0.4, "billboard")))
     for similarity in (Mix(), PaperSimilarity()):
         similarity.compare(similarity.describe(bits), similarity.describe(bits))
 

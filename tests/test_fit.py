@@ -16,6 +16,7 @@ from tests.failing import Failing
 from treefit.checkpoint import CheckpointError, read_checkpoint
 from treefit.evaluation import Batch, Evaluator
 from treefit.fit import Result, SearchError, Stop, fit
+from treefit.improvements import Improvement
 from treefit.objective import Objective, Score
 from treefit.plant import Budget, Generator, Plant, Preset, Value, Values
 from treefit.plant.characteristics import Characteristics
@@ -53,6 +54,31 @@ def test_a_fit_ends_with_distinct_candidates_best_first() -> None:
     assert scores == sorted(scores, reverse=True)
     assert scores[0] == result.history[-1].best > 0.25
     assert result.evaluations == 600
+
+
+def test_a_fit_tells_of_every_new_best_plant_and_keeps_how_it_came() -> None:
+    told: list[tuple[Improvement, Objective]] = []
+    result = small(on_improvement=lambda found, objective: told.append((found, objective)))
+    scores = [found.score for found, _ in told]
+    assert scores == sorted(set(scores))
+    assert set(result.improvements) <= {found for found, _ in told}
+    best, objective = result.improvements[-1], told[-1][1]
+    assert best.score == result.history[-1].best
+    assert best.evaluations == min(line.evaluations for line in result.history if line.best == best.score)
+    assert objective.score(objective.grow(np.array(best.genome), objective.seed)).total == best.score
+    assert result.objective.generator is objective.generator
+
+
+def test_a_fit_that_goes_on_tells_of_its_best_plant_at_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sys.modules["treefit.fit"], "CHECKPOINT_SECONDS", 0.0)
+    with pytest.raises(KeyboardInterrupt):
+        small(checkpoint=tmp_path / "c.npz", on_generation=kill)
+    told: list[tuple[int, Improvement]] = []
+    lines: list[Generation] = []
+    small(checkpoint=tmp_path / "c.npz", on_generation=lambda now, _: lines.append(now),
+          on_improvement=lambda found, _: told.append((len(lines), found)))  # fmt: skip
+    assert told[0][0] == 0
+    assert told[0][1].evaluations <= lines[0].evaluations
 
 
 def test_workers_do_not_change_the_result() -> None:

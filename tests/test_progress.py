@@ -46,6 +46,16 @@ def test_the_undrawn_do_not_count_in_the_mean(objective: Objective) -> None:
     assert some.history[1].mean == 0
 
 
+def test_a_better_plant_is_an_improvement_and_one_as_good_is_not(objective: Objective) -> None:
+    progress = Progress()
+    for scores in (SCORES, SCORES, [Score(0.4), Score(0.7, 0.8)], [Score(0.9, 0.9)] * 5):
+        add(progress, objective, scores)
+    assert [(one.evaluations, one.score, one.image) for one in progress.improvements] == [
+        (4, 0.5, 0.6), (10, 0.7, 0.8), (15, 0.9, 0.9),
+    ]  # fmt: skip
+    assert progress.improvements[0].genome == (0.5,) * len(objective.space)
+
+
 def test_progress_comes_back_from_json(objective: Objective) -> None:
     progress = Progress()
     add(progress, objective, SCORES)

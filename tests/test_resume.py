@@ -40,7 +40,8 @@ def small(name: str, generator: Any = None, **changes: Any) -> Result:
 def outcome(result: Result) -> list[object]:
     """Everything of a result but times."""
     found = [(candidate.genome.tobytes(), candidate.score) for candidate in result.candidates]
-    return [*found, *((line.evaluations, line.best, line.mean, line.stage) for line in result.history)]
+    lines = ((line.evaluations, line.best, line.mean, line.stage) for line in result.history)
+    return [*found, *lines, *result.improvements]
 
 
 def kill(generation: Generation, failures: list[Failure]) -> None:

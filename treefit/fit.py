@@ -20,11 +20,13 @@ from treefit.distinct import Distinct, choose, looks
 from treefit.evaluation import Evaluator
 from treefit.family.hints import hints_of
 from treefit.image import AutoMask, Extractor, read_picture
+from treefit.improvements import Improvement
+from treefit.listeners import Listeners, OnGeneration, OnImprovement
 from treefit.mask import Mask, check_mask
 from treefit.objective import Objective, Score, View
 from treefit.plant import Budget, Generator, Values
 from treefit.plant.characteristics import Characteristics
-from treefit.progress import Failure, Generation, Progress
+from treefit.progress import Generation, Progress
 from treefit.racing import Seeds, raced
 from treefit.runners_up import MOST, RunnersUp, Told
 from treefit.search import CMAES, Hints, Optimizer, Strategy
@@ -58,12 +60,14 @@ class Stop:
 
 @dataclass(frozen=True, eq=False)
 class Result:
-    """Candidates, best first, and how the search went."""
+    """Candidates, best first, and how the search went; `objective.grow` makes a plant of a genome that it had."""
 
     candidates: list[Candidate]
     history: list[Generation]
     failures: dict[str, int]
     target: Mask
+    improvements: list[Improvement]
+    objective: Objective
 
     @property
     def evaluations(self) -> int:
@@ -100,13 +104,15 @@ def fit(
     stop: Stop | None = None,
     checkpoint: Path | None = None,
     start: Sequence[Values] = (),
-    on_generation: Callable[[Generation, list[Failure]], None] | None = None,
+    on_generation: OnGeneration | None = None,
+    on_improvement: OnImprovement | None = None,
 ) -> Result:
     """Find parameters of `generator` whose plants look like `picture`, a mask (h, w) or the path of an image file.
 
     `start` are values of plants to begin from. Whatever is left out takes the defaults of the configuration; `budget`
     is, when left out, 4 times the most vertices that are wished for. With `checkpoint` the search goes on from that
     file if it exists, and keeps it up to date; the result is the same as that of a search that was never interrupted.
+    `on_generation` is told of each batch, `on_improvement` of each new best plant.
     Raises ValueError for a picture without a tree, CheckpointError for a checkpoint of another search, SearchError when
     no candidate at all could be scored.
     """
@@ -121,15 +127,16 @@ def fit(
     with threadpool_limits(1, "blas"):  # its threads would fight with the evaluator's, and sum in another order
         hints = hints_of(objective, mask, start)
         search = strategy.begin(len(objective.space), seed, hints)
+        listeners = Listeners(objective, on_generation, on_improvement)
         progress = _search(objective, search, evaluator, seeds, (stop or Stop()).earlier(share, plants), checkpoint,
-                           on_generation, _fingerprint(objective, mask, strategy, hints, seeds))  # fmt: skip
+                           listeners, _fingerprint(objective, mask, strategy, hints, seeds))  # fmt: skip
         ranked = looks(objective, search.best(MOST_LOOKED_AT)[0])
         if share and ranked:
             left = min(plants - progress.evaluations, round(progress.evaluations * share / (1 - share)) + 1)
-            told = _tells(objective, progress, on_generation)
+            told = _tells(objective, progress, listeners)
             ranked = RunnersUp(objective, wish, hints, evaluator, seeds).added(ranked, candidates, left, told)
     found = [judge(objective, look.genome, mask, other_seeds) for look in choose(objective, ranked, candidates, wish)]
-    return Result(found, progress.history, progress.failures, mask)
+    return Result(found, progress.history, progress.failures, mask, progress.improvements, objective)
 
 
 def _mask(picture: Mask | str | Path, extractor: Extractor) -> Mask:
@@ -153,7 +160,7 @@ def aim(
 
 def _search(
     objective: Objective, search: Optimizer, evaluator: Evaluator, seeds: Seeds, stop: Stop, checkpoint: Path | None,
-    on_generation: Callable[[Generation, list[Failure]], None] | None, fingerprint: str,
+    listeners: Listeners, fingerprint: str,
 ) -> Progress:  # fmt: skip
     progress = _restore(search, checkpoint, fingerprint)
     if evaluator.backend(objective) != "processes":  # what is compiled now is not on the clock; a crash may end nothing
@@ -172,8 +179,7 @@ def _search(
             if checkpoint is not None and (last or time.perf_counter() - written >= CHECKPOINT_SECONDS):
                 write_checkpoint(checkpoint, search.state(), {"fingerprint": fingerprint, "progress": asdict(progress)})
                 written = time.perf_counter()
-            if on_generation is not None:
-                on_generation(progress.history[-1], failures)
+            listeners.tell(progress, failures)
     return progress
 
 
@@ -183,9 +189,7 @@ def _with_budget(strategy: Strategy, plants: int, seeds: Seeds) -> Strategy:
     return strategy if genomes == strategy.evaluations else replace(cast(Any, strategy), evaluations=genomes)
 
 
-def _tells(
-    objective: Objective, progress: Progress, on_generation: Callable[[Generation, list[Failure]], None] | None
-) -> Callable[[str], Told]:
+def _tells(objective: Objective, progress: Progress, listeners: Listeners) -> Callable[[str], Told]:
     """Return what makes, of the name of a stage, a function that adds batches to `progress`."""
     started = time.perf_counter() - progress.seconds
 
@@ -193,8 +197,7 @@ def _tells(
         def told(genomes: NDArray[np.float64], scores: list[Score], plants: int) -> None:
             seconds = time.perf_counter() - started
             failures = progress.add(name, objective, genomes, scores, seconds, plants)
-            if on_generation is not None:
-                on_generation(progress.history[-1], failures)
+            listeners.tell(progress, failures)
 
         return told
 

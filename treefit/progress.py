@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from treefit.improvements import Improvement, joined
 from treefit.objective import Objective, Score
 from treefit.plant import Values
 
@@ -43,18 +44,20 @@ class Failure:
 
 @dataclass
 class Progress:
-    """Generations so far, failures counted by kind, the reason of the first one, and the best score."""
+    """Generations so far, failures counted by kind, the reason of the first one, the best score and how it came."""
 
     history: list[Generation] = field(default_factory=list)
     failures: dict[str, int] = field(default_factory=dict)
     first_failure: str = ""
     best: Score = field(default_factory=lambda: Score(0.0))
+    improvements: list[Improvement] = field(default_factory=list)
 
     @classmethod
     def from_json(cls, kept: Mapping[str, Any]) -> Progress:
         """Progress from what `dataclasses.asdict` made of one."""
         history = [Generation(**line) for line in kept["history"]]
-        return cls(history, kept["failures"], kept["first_failure"], Score(**kept["best"]))
+        improvements = [Improvement.from_json(one) for one in kept.get("improvements", ())]
+        return cls(history, kept["failures"], kept["first_failure"], Score(**kept["best"]), improvements)
 
     @property
     def seconds(self) -> float:
@@ -79,10 +82,13 @@ class Progress:
             kind = failure.reason.partition(":")[0]
             self.failures[kind] = self.failures.get(kind, 0) + 1
             self.first_failure = self.first_failure or failure.reason
-        self.best = max([self.best, *scores], key=lambda score: score.total)
-        done, undrawn = (self.history[-1].evaluations, self.history[-1].undrawn) if self.history else (0, 0)
+        done, undrawn = (self.evaluations, self.history[-1].undrawn) if self.history else (0, 0)
         drawn = [score.total for score in scores if score.drawn]
         done, undrawn = done + (len(scores) if plants is None else plants), undrawn + len(scores) - len(drawn)
+        best, genome = max(zip(scores, genomes, strict=True), key=lambda pair: pair[0].total)
+        if best.total > self.best.total:
+            found = Improvement(done, best.total, best.image, tuple(genome.tolist()))
+            self.best, self.improvements = best, joined(self.improvements, found)
         mean = sum(drawn) / max(len(drawn), 1)
         self.history.append(
             Generation(len(self.history), stage, done, self.best.total, self.best.image, mean,

@@ -12,10 +12,10 @@ import numpy as np
 
 from generators.gegen.environment import Environment, environment_of
 from generators.gegen.growth import grow
-from generators.gegen.parameters import FIXED, SPACE
+from generators.gegen.parameters import FIXED, OWN_SHAPE, SPACE
 from generators.gegen.rules import rule_of
 from generators.gegen.scratch import Scratch
-from treefit.plant import Budget, ParameterSpace, Plant, Preset, Value, Values, read_presets
+from treefit.plant import Budget, Look, ParameterSpace, Plant, Preset, Value, Values, read_presets
 from treefit.plant.streams import seed_key
 
 HABITS = Path(__file__).parent / "habits"
@@ -75,7 +75,9 @@ class GEGen:
         numbers *= size
         leaves[:3] *= size
         leaves[9:] *= size
-        return Plant.of_rows(numbers, integers[:, :n], leaves, cut)
+        shape = str(values.get("leaf_shape", OWN_SHAPE))
+        look = None if shape == OWN_SHAPE else Look(leaf_shape=shape)
+        return Plant.of_rows(numbers, integers[:, :n], leaves, cut, look)
 
 
 def gegen(

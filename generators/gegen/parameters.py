@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from treefit.plant import Parameter, ParameterSpace
+from treefit.plant import LEAF_SHAPES, Parameter, ParameterSpace
+
+OWN_SHAPE = "auto"
+"""The shape of leaves that says nothing: it follows from their proportions."""
 
 
 def _number(name: str, low: float, high: float, default: float, unit: str, doc: str, log: bool = False,
@@ -125,9 +128,15 @@ _LEAVES = (
     _number("leaf_angle", 20, 90, 55, "deg", "between a shoot and its leaves"),
     _number("leaf_length", 0.4, 1.4, 0.9, "internodes", "length of a leaf", True, least=0.01),
     _number("leaf_width", 0.15, 1.0, 0.6, "share", "width of a leaf by its length", least=0.01),
+    Parameter(
+        "leaf_shape", default=OWN_SHAPE, kind="choice", choices=(OWN_SHAPE, *LEAF_SHAPES), doc="outline of a leaf"
+    ),
 )
 
-SPACE = ParameterSpace((*_SIZE, *_SHARING, *_BUDS, *_DIRECTIONS, *_LIGHT, *_TRUNK, *_WOOD, *_LEAVES))
+SPACE = ParameterSpace(
+    (*_SIZE, *_SHARING, *_BUDS, *_DIRECTIONS, *_LIGHT, *_TRUNK, *_WOOD, *_LEAVES), {"leaf_shape": OWN_SHAPE}
+)
+"""No search has the shape of leaves as a gene, presets set it: no mask sees it."""
 
 FIXED = {
     "internode": 0.25, "age": 24, "start": 2.0, "vigour": 4.0, "levels": 5, "bud_life": 4, "angle_variation": 10.0,

@@ -19,7 +19,8 @@ from tests.experiments.program import RUN, Done, finish
 SMALL = ["image=pine.png", "tracking=none", "optimizer.evaluations=1500", "optimizer.generations=10",
          "characteristics.vertices=400", "view.resolution=64", "other_seeds=2", "candidates.within=0.5",
          "asset.picture_size=64"]  # fmt: skip
-FILES = ("candidates/1/preset.yaml", "candidates/3/preset.yaml", "candidates/2/mask.png", "candidates/1/tree.glb")
+FILES = ("candidates/1/preset.yaml", "candidates/3/preset.yaml", "candidates/2/mask.png", "candidates/1/tree.glb",
+         "score_curve.png", "best_strip.png")  # fmt: skip
 
 
 def run(folder: Path, *settings: str) -> Done:
@@ -51,7 +52,7 @@ def test_a_run_leaves_everything_that_was_promised(done: Path) -> None:
     candidate = ("tree.glb", "preset.yaml", "picture.png", "mask.png")
     assert {f"candidates/{i}/{name}" for i in (1, 2, 3) for name in candidate} < names
     assert {"summary.json", "history.jsonl", "mask.png", "mask_overlay.png", "gallery.png", "viewer.html",
-            "candidates.csv", "checkpoint.npz", "config.yaml"} < names  # fmt: skip
+            "score_curve.png", "best_strip.png", "candidates.csv", "checkpoint.npz", "config.yaml"} < names  # fmt: skip
     facts = json.loads((done / "summary.json").read_text(encoding="utf-8"))
     assert facts["evaluations"] == 1500
     assert facts["score"] == max(found["score"] for found in facts["candidates"])
@@ -66,8 +67,17 @@ def test_the_table_of_candidates_says_what_the_summary_says(done: Path) -> None:
     assert [row.pop("candidate") for row in rows] == ["1", "2", "3"]
     assert [{name: float(value) for name, value in row.items()} for row in rows] == [
         {name: fact for name, fact in found.items() if isinstance(fact, int | float) and name not in ("seed", "seeds")}
+        | {f"{fact}_{level['name'].removeprefix('tree_')}": level[fact]
+           for level in found["levels"][1:] for fact in ("triangles", "silhouette_iou")}
         for found in facts
-    ]
+    ]  # fmt: skip
+
+
+def test_the_summary_names_the_levels_and_files_of_every_candidate(done: Path) -> None:
+    for number, found in enumerate(json.loads((done / "summary.json").read_text(encoding="utf-8"))["candidates"], 1):
+        assert {level["file"] for level in found["levels"]} <= set(found["files"])
+        assert found["levels"][0]["triangles"] == found["triangles"]
+        assert all((done / "candidates" / str(number) / name).is_file() for name in found["files"])
 
 
 def test_the_same_seed_gives_the_same_bytes_on_two_workers(done: Path) -> None:
@@ -78,7 +88,7 @@ def test_the_same_seed_gives_the_same_bytes_on_two_workers(done: Path) -> None:
 
 def test_a_killed_run_goes_on_to_the_same_bytes(done: Path) -> None:
     folder = done.parent / "killed"
-    command = [sys.executable, str(RUN), f"hydra.run.dir={folder}", *SMALL]
+    command = [sys.executable, str(RUN), f"hydra.run.dir={folder}", *SMALL, "live=true"]
     with subprocess.Popen(command, cwd=done.parent, start_new_session=True, stderr=subprocess.DEVNULL) as child:
         log, deadline = folder / "history.jsonl", time.monotonic() + 100
         while not (log.exists() and log.read_bytes().count(b"\n") >= 8):
@@ -87,16 +97,20 @@ def test_a_killed_run_goes_on_to_the_same_bytes(done: Path) -> None:
             time.sleep(0.005)
         os.killpg(child.pid, signal.SIGKILL)
     assert not (folder / "summary.json").exists()
+    assert '"running": true' in (folder / "live.html").read_text(encoding="utf-8")
     finish(done.parent, f"resume={folder}")
     assert result(folder) == result(done)
+    assert '"running": false' in (folder / "live.html").read_text(encoding="utf-8")
+    assert not (done / "live.html").exists()
 
 
 def test_grow_takes_the_preset_back_and_makes_the_same_tree(done: Path) -> None:
     folder = done.parent / "grown"
     preset = done / "candidates" / "1" / "preset.yaml"
+    fitted = json.loads((done / "summary.json").read_text(encoding="utf-8"))
+    kept = fitted["candidates"][0]
     told = run(folder, "task=grow", f"preset={preset}")
     facts = json.loads(told.stdout.splitlines()[-1])
-    kept = json.loads((done / "summary.json").read_text(encoding="utf-8"))["candidates"][0]
     assert (facts["vertices"], facts["leaves"], facts["height_m"]) == (
         kept["vertices"],
         kept["leaves"],

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
+from typing import cast
 
 import numpy as np
 import pytest
@@ -20,7 +21,7 @@ from treefit.asset import AssetSettings
 from treefit.plant import Budget, Plant, Value, Values
 
 SMALL: dict[str, Value] = {"levels": 2, "branch_count_0": 6}
-PICTURES = AssetSettings(picture_size=64, sides=3)
+PICTURES = AssetSettings(picture_size=64, sides=3, texture_size=0, lods=(1.0, 0.4))
 
 
 class Ill(SimpleGen):
@@ -64,14 +65,16 @@ def test_seeds_that_are_none_are_one_line(given: str, reason: str) -> None:
 def test_each_seed_has_its_files_and_a_preset_that_grows_it_again(tmp_path: Path) -> None:
     facts = forest(tmp_path, SimpleGen(), 3, 5)
     assert facts["seeds"] == [3, 5]
+    trees = cast(dict[str, dict[str, str]], facts["trees"])
     assert facts["failed"] == {}
     for seed in (3, 5):
         folder = tmp_path / "trees" / str(seed)
-        assert {path.name for path in folder.iterdir()} == {"tree.glb", "picture.png", "preset.yaml"}
+        assert {path.name for path in folder.iterdir()} == set(trees[str(seed)])
+        assert {"tree.glb", "picture.png", "preset.yaml"} <= set(trees[str(seed)])
         preset = yaml.safe_load((folder / "preset.yaml").read_text(encoding="utf-8"))
         assert (preset["seed"], preset["values"]["levels"]) == (seed, 2)
-    trees = [(tmp_path / "trees" / str(seed) / "tree.glb").read_bytes() for seed in (3, 5)]
-    assert trees[0] != trees[1]
+    files = [(tmp_path / "trees" / str(seed) / "tree.glb").read_bytes() for seed in (3, 5)]
+    assert files[0] != files[1]
     with Image.open(tmp_path / "sheet.png") as sheet:
         assert np.ptp(np.asarray(sheet.convert("RGB")).astype(int), axis=2).max() > 8
 

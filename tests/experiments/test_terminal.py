@@ -5,17 +5,28 @@ from pathlib import Path
 import pytest
 from rich.console import Console
 
-from experiments.terminal import OneLine, Progress, counted, print_results, print_sweep, time_left
+from experiments.terminal import OneLine, Progress, counted, print_live, print_results, print_sweep, time_left
 
 
 def test_progress_draws_a_bar_on_a_terminal() -> None:
     out = io.StringIO()
     with Progress(Console(file=out, force_terminal=True, width=120)) as progress:
-        progress.update(500, 1000, 0.75, 250.0)
+        progress.update(500, 1000, 0.75, 250.0, "level 1/2")
         progress._bar.refresh()
-    assert "500/1000" in out.getvalue()
-    assert "0.7500" in out.getvalue()
-    assert "2 s left" in out.getvalue()
+    for words in ("level 1/2", "500/1,000", "best", "0.7500", "250/s", "2 s, 2 s left"):
+        assert words in out.getvalue()
+
+
+@pytest.mark.parametrize("width", [72, 80, 200])
+def test_the_bar_has_room_on_one_line(width: int) -> None:
+    console = Console(file=io.StringIO(), force_terminal=True, width=width, color_system=None)
+    with Progress(console) as progress:
+        progress.update(12_345, 500_000, 0.8123, 1931.4, "level 2/4")
+        shown = progress._bar.get_renderable()
+    lines = ["".join(part.text for part in line).rstrip() for line in console.render_lines(shown)]
+    assert lines[0].startswith("level 2/4 ")
+    assert lines[0].endswith("12,345/500,000  best 0.8123  1,931/s  6 s, 4 min 12 s left")
+    assert not "".join(lines[1:])
 
 
 def test_progress_is_a_line_now_and_then_elsewhere() -> None:
@@ -41,10 +52,22 @@ def test_silence_at_the_start_is_explained_once() -> None:
 
 @pytest.mark.parametrize(
     ("evaluations", "rate", "words"),
-    [(0, 5.0, "done"), (100, 0.0, "time left unknown"), (650, 10.0, "1 min 5 s left"), (50, 10.0, "5 s left")],
+    [
+        (0, 5.0, "done"),
+        (100, 0.0, "time left unknown"),
+        (650, 10.0, "1 min 5 s left"),
+        (50, 10.0, "5 s left"),
+        (36_059, 10.0, "1 h 0 min left"),
+        (36_000, 1.0, "10 h 0 min left"),
+    ],
 )
 def test_time_left_in_words(evaluations: int, rate: float, words: str) -> None:
     assert time_left(evaluations, rate) == words
+
+
+def test_a_live_page_is_told_with_the_command_that_opens_it(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    print_live(tmp_path / "my run" / "live.html")
+    assert capsys.readouterr().err == f"live     python -m webbrowser {(tmp_path / 'my run' / 'live.html').as_uri()}\n"
 
 
 def test_results_end_with_the_next_commands(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:

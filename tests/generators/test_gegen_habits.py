@@ -179,3 +179,21 @@ def test_a_tree_of_the_forest_is_slimmer_and_barer_than_the_same_tree_alone(seed
     assert slimness(one) > 1.5 * slimness(other)
     assert height(one) > height(other)
     assert foot(one) > foot(other)
+
+
+def test_habits_have_leaves_of_their_own_outline() -> None:
+    wished = {"oak": "oak", "birch": "broad", "spruce": "tuft", "umbrella_pine": "tuft", "thuja": "scale",
+              "weeping": "narrow"}  # fmt: skip
+    for name, shape in wished.items():
+        look = GENERATOR(PRESETS[name].values, 0, Budget(200, 400)).look
+        assert look is not None
+        assert look.leaf_shape == shape
+    assert GENERATOR(PRESETS["solitary"].values, 0, Budget(200, 400)).look is None
+
+
+def test_the_outline_of_leaves_is_no_gene_and_changes_no_plant() -> None:
+    values = PRESETS["oak"].values
+    one, other = (GENERATOR({**values, "leaf_shape": shape}, 0, Budget(200, 400)) for shape in ("oak", "auto"))
+    assert "leaf_shape" not in GENERATOR.space.names
+    assert one.position.tobytes() == other.position.tobytes()
+    assert one.leaf_size.tobytes() == other.leaf_size.tobytes()

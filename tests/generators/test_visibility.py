@@ -14,7 +14,7 @@ from treefit.view import Frame, OrthographicView
 LOOK = {"lobes", "lobe_depth", "leaf_shape"}
 UNSEEN = {
     "simplegen": {"branch_len_0"}, "simplegen_paper": {"branch_len_0"}, "weberpenn": LOOK, "weberpenn_full": LOOK,
-    "gegen": {"internode"},
+    "gegen": {"internode", "leaf_shape"},
 }  # fmt: skip
 BUDGET = Budget(12_000, 24_000)
 RANDOM = 6

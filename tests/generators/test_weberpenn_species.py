@@ -72,3 +72,9 @@ def test_needles_stand_in_tufts(name: str) -> None:
     look = grow(PRESETS[name], 0).look
     assert look is not None
     assert look.leaf_shape == "tuft"
+
+
+def test_species_have_leaves_of_their_own_outline() -> None:
+    wished = {"black_oak": "oak", "sugar_maple": "lobed", "thuja": "scale", "italian_cypress": "scale",
+              "umbrella_thorn": "compound", "weeping_willow": "narrow"}  # fmt: skip
+    assert {name: PRESETS[name].values["leaf_shape"] for name in wished} == wished

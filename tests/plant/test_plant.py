@@ -62,7 +62,7 @@ def test_rows_are_the_same_numbers_whatever_the_layout(plants: list[Plant]) -> N
         (Look(lobes=3, lobe_depth=1.0), r"lobe_depth must be in \[0, 1\), got 1.0"),
         (Look(lobe_depth=-0.1), "lobe_depth must be in"),
         (Look(lobe_depth=np.nan), "lobe_depth must be in"),
-        (Look(leaf_shape="oak"), "leaf_shape must be one of broad, round, .*, got 'oak'"),
+        (Look(leaf_shape="elm"), "leaf_shape must be one of broad, round, .*, got 'elm'"),
     ],
 )
 def test_what_no_mask_sees_is_checked_too(plants: list[Plant], look: Look, message: str) -> None:

@@ -64,4 +64,4 @@ def test_every_plant_of_so_many_triangles_is_within_the_budget(generator: Genera
 
 def test_a_wish_for_an_outline_that_no_leaf_has_is_refused() -> None:
     with pytest.raises(ValueError, match="must be one of auto, broad"):
-        Characteristics(leaf_outline="oak")
+        Characteristics(leaf_outline="elm")

@@ -6,7 +6,9 @@ from pathlib import Path
 import pytest
 from PIL import Image
 
-from treefit.tracking import MlflowTracker, NoTracker, Tracker
+from treefit.tracking import MlflowTracker, NoTracker, Story, Tracker
+from treefit.tracking.addresses import VIEW_TAG, address, view
+from treefit.tracking.kept_run import run_of
 from treefit.tracking.local_store import LocalStore
 
 
@@ -30,9 +32,11 @@ def test_runs_are_kept_with_numbers_files_and_parent(store: Path, monkeypatch: p
     for step in range(3):
         child.log({"best": step / 10, "failures": float("nan")}, step)
     child.artifacts(folder)
+    rows = [{"score": 0.5, "picture": folder / "gallery.png"}]
+    child.tell(Story('<a href="gallery.png">see</a>', {"trees/gallery": folder / "gallery.png"}, {"trees": rows}))
     child.finish("FINISHED")
     parent.finish("FAILED")
-    assert "#/experiments/1?workflowType=machine_learning" in child.where
+    assert "#/experiments/1/runs?workflowType=machine_learning&viewStateShareKey=treefit" in child.where
     assert f"'sqlite:///{store.as_posix()}/outputs/mlflow.db'" in child.where
 
     from mlflow import MlflowClient
@@ -46,8 +50,35 @@ def test_runs_are_kept_with_numbers_files_and_parent(store: Path, monkeypatch: p
     assert [metric.value for metric in client.get_metric_history(run.info.run_id, "best")] == [0.0, 0.1, 0.2]
     assert client.get_run(parent.identity(0)).info.status == "FAILED"
     names = {path.path for path in client.list_artifacts(run.info.run_id)}
-    assert names == {"candidates", "gallery.png", "images", "summary.json"}
+    assert names == {"candidates", "gallery.png", "images", "summary.json", "table_images", "trees.json"}
+    assert run.data.tags["mlflow.note.content"] == address('<a href="gallery.png">see</a>', "1", run.info.run_id)
+    assert run.data.tags["mlflow.loggedArtifacts"] == '[{"path": "trees.json", "type": "table"}]'
+    assert client.get_experiment("1").tags[VIEW_TAG] == view()
     assert not list(store.glob("mlruns"))
+
+
+def test_resumed_run_goes_on_in_the_same_run_and_tells_no_step_twice(store: Path, tmp_path: Path) -> None:
+    uri = f"sqlite:///{store}/outputs/mlflow.db"
+    identities = []
+    for steps, status in ((range(1, 4), "KILLED"), (range(2, 6), "FINISHED")):
+        tracker = MlflowTracker(uri)
+        tracker.start("run", {}, {"seed": "1"}, folder=tmp_path)
+        for step in steps:
+            tracker.log({"score": step / 10}, step)
+        identities.append(tracker.identity(60))
+        tracker.finish(status)
+    assert identities[0] == identities[1] == run_of(tmp_path)
+
+    from mlflow import MlflowClient
+
+    client = MlflowClient(uri)
+    assert client.get_run(identities[0]).info.status == "FINISHED"
+    assert [metric.step for metric in client.get_metric_history(identities[0], "score")] == [1, 2, 3, 4, 5]
+    client.delete_run(identities[0])
+    tracker = MlflowTracker(uri)
+    tracker.start("run", {}, {}, folder=tmp_path)
+    assert tracker.identity(60) not in (None, identities[0])
+    tracker.finish("FINISHED")
 
 
 def test_server_that_is_down_is_said_once_and_keeps_nobody_waiting(

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from treefit.asset.material.material import Material
 from treefit.asset.material.tree_materials import TreeColours, tree_materials
-from treefit.asset.mesh import Mesh, branch_meshes, leaf_mesh
+from treefit.asset.mesh import Mesh, crown_of, leaf_mesh, stems_of, tubes_of
 from treefit.asset.mesh.leaf_outline import outline_of
 from treefit.asset.settings import AssetSettings
 from treefit.plant import Plant
@@ -45,11 +45,14 @@ class Model:
 
 def model_of(plant: Plant, settings: AssetSettings, seen: TreeColours | None = None) -> Model:
     """Return the whole model of `plant`; ValueError when it has nothing to show. `seen`: colours of a picture."""
-    outline = outline_of(settings.leaf_outline, plant.look)
+    outline = outline_of(settings.leaf_outline, plant)
     materials = tree_materials(settings, outline, seen)
-    parts = {name: Part(mesh, materials["bark"]) for name, mesh in branch_meshes(plant, settings.sides).items()}
+    stems, crown = stems_of(plant), crown_of(plant)
+    wood = tubes_of(stems, plant.look, settings.sides)
+    parts = {name: Part(crown.shaded(mesh), materials["bark"]) for name, mesh in wood.items()}
     if plant.n_leaves:
-        parts["leaves"] = Part(leaf_mesh(plant, outline, settings.leaf_fold), materials["leaves"])
+        leaves = leaf_mesh(plant, outline, settings.leaf_fold, stems, crown)
+        parts["leaves"] = Part(crown.shaded(leaves), materials["leaves"])
     if not parts:
         raise ValueError("model: the plant has no stem longer than zero and no leaf, nothing to write or show")
     return Model("tree_LOD0", parts)

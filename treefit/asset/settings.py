@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import Annotated, Literal
 
-from pydantic import BeforeValidator, ConfigDict, Field
+from pydantic import AfterValidator, BeforeValidator, ConfigDict, Field
 from pydantic.dataclasses import dataclass
 
 from treefit.asset.material.colour import Colour, parse_colour
@@ -20,6 +21,17 @@ def _colour(value: object) -> Colour | None:
     return None if value is None else parse_colour(value)
 
 
+def _descending(lods: tuple[Detail, ...]) -> tuple[Detail, ...]:
+    """Return `lods`, finest first; whether a share is more than a count cannot be told without a plant."""
+    if "billboard" in lods[:-1]:
+        raise ValueError(f"billboard comes last and once, got {list(lods)}")
+    for kind in (float, int):
+        alike = [level for level in lods if isinstance(level, kind)]
+        if any(coarse >= fine for fine, coarse in pairwise(alike)):
+            raise ValueError(f"each level needs less than the one before it, got {list(lods)}")
+    return lods
+
+
 @dataclass(frozen=True, config=ConfigDict(extra="forbid"))
 class AssetSettings:
     """Shape, materials, levels of detail and files of an exported plant, and its pictures; colours are sRGB."""
@@ -33,7 +45,7 @@ class AssetSettings:
     bark_kind: BarkKind = "auto"
     texture_size: Annotated[int, Field(ge=0, le=2048)] = 512  # pixels of a texture's side, 0: plain colours
     vertex_colours: Literal["occlusion", "wind"] = "occlusion"  # what COLOR_0 holds; the other one is COLOR_1
-    lods: tuple[Detail, ...] = (1.0, 0.4, 0.15, "billboard")
+    lods: Annotated[tuple[Detail, ...], AfterValidator(_descending)] = (1.0, 0.4, 0.15, "billboard")
     formats: tuple[Format, ...] = ()  # besides GLB
     picture_size: Annotated[int, Field(ge=16, le=4096)] = 512  # height in pixels
     renderer: Literal["auto", "software", "pyrender"] = "auto"

@@ -9,6 +9,7 @@ from numba import njit
 from numpy.typing import NDArray
 
 from treefit.plant.plant import Plant
+from treefit.plant.seats import hosts, seats
 
 THINNEST = 1e-4  # radius in plant sizes under which a ring would be a heap of equal points
 SHORTEST = 1e-5  # distance in plant sizes under which two rings are one
@@ -29,20 +30,55 @@ class Chains:
         return len(self.level)
 
 
-def chains_of(plant: Plant) -> Chains:
+@dataclass(frozen=True, eq=False)
+class JoinedChains(Chains):
+    """Chains that know where on each other they begin."""
+
+    host: NDArray[np.int64]  # (s,) ring of another stem that the stem begins at or after, -1 at the root
+    share: NDArray[np.float64]  # (s,) of the way from there to the next ring of that stem
+    ring: NDArray[np.int64]  # (v,) ring of each vertex of the plant
+    size: float  # m, the longest side of the plant
+
+
+def chains_of(plant: Plant) -> JoinedChains:
     """Return the stems of `plant`: the first child of the same level goes on, every other child begins a stem.
 
     A stem that begins at a fork has its first ring at the parent vertex, so inside the parent's wood. When its
     first segment runs along the parent's axis to a seat between two vertices, it has it at that seat.
     """
-    position = np.ascontiguousarray(plant.position, dtype=np.float64)
-    size = max(1e-6, *(float(row.max()) - float(row.min()) for row in plant.rows[0]))
-    parent, level = np.ascontiguousarray(plant.parent), np.ascontiguousarray(plant.level)
-    following = _following(parent, level)
-    seated = _seated(parent, level, position, ON_AXIS * size)
-    first, vertex, owner = _chains(parent, following, seated, position, SHORTEST * size)
+    position, parent, size = _position(plant), np.ascontiguousarray(plant.parent), _size(plant)
+    (first, vertex, owner), ring, seat = _cut(plant, position, parent, size)
     radius = np.maximum(_ring_radius(plant, vertex, owner), THINNEST * size)
-    return Chains(first, np.asarray(level[owner[first[:-1]]], dtype=np.int32), position[vertex], radius)
+    start, centre = owner[first[:-1]], position[vertex]
+    host, share = hosts(first, start, parent, seat, ring, centre, position)
+    level = np.asarray(plant.level[start], dtype=np.int32)
+    return JoinedChains(first, level, centre, radius, host, share, ring, size)
+
+
+Cut = tuple[NDArray[np.int64], NDArray[np.int64], NDArray[np.int64]]
+
+
+def ring_vertices(plant: Plant) -> Cut:
+    """Return `first` (s + 1,) as in Chains, the vertex (r,) at each ring and the vertex (r,) whose segment it is of."""
+    return _cut(plant, _position(plant), np.ascontiguousarray(plant.parent), _size(plant))[0]
+
+
+def _cut(
+    plant: Plant, position: NDArray[np.float64], parent: NDArray[np.int32], size: float
+) -> tuple[Cut, NDArray[np.int64], NDArray[np.int64]]:
+    """Return what `ring_vertices` does, the ring (v,) of each vertex and the seats (v,)."""
+    level = np.ascontiguousarray(plant.level)
+    seat = seats(parent, level, position, ON_AXIS * size)
+    first, vertex, owner, ring = _chains(parent, _following(parent, level), seat, position, SHORTEST * size)
+    return (first, vertex, owner), ring, seat
+
+
+def _position(plant: Plant) -> NDArray[np.float64]:
+    return np.ascontiguousarray(plant.position, dtype=np.float64)
+
+
+def _size(plant: Plant) -> float:
+    return max(1e-6, *(float(row.max()) - float(row.min()) for row in plant.rows[0]))
 
 
 def _ring_radius(plant: Plant, vertex: NDArray[np.int64], owner: NDArray[np.int64]) -> NDArray[np.float64]:
@@ -64,52 +100,21 @@ def _following(parent, level):
 
 
 @njit(cache=True, nogil=True)
-def _seated(parent, level, position, near):
-    """True (v,) where a segment to a new level lies on a segment of the parent's stem, so hidden in its wood."""
-    n = parent.shape[0]
-    last, before = np.full(n, -1, np.int64), np.full(n, -1, np.int64)  # children of their parent's level, as lists
-    for i in range(1, n):
-        if level[i] == level[parent[i]]:
-            before[i], last[parent[i]] = last[parent[i]], i
-    seated = np.zeros(n, np.bool_)
-    for i in range(1, n):
-        p = parent[i]
-        if level[i] > level[p]:
-            on = last[p]
-            while on >= 0 and not seated[i]:
-                seated[i] = _distance(position[i], position[p], position[on]) <= near
-                on = before[on]
-    return seated
+def _chains(parent, following, seat, position, shortest):
+    """First rings (s + 1,), the vertex (r,) at each ring, the vertex (r,) whose segment it has, the ring (v,) of each.
 
-
-@njit(inline="always")
-def _distance(point, begin, end):
-    """Distance of a point (3,) to the segment from `begin` to `end`."""
-    along = to_point = 0.0
-    for axis in range(3):
-        step = end[axis] - begin[axis]
-        along += step * step
-        to_point += step * (point[axis] - begin[axis])
-    share = min(max(to_point / max(along, 1e-30), 0.0), 1.0)
-    far = 0.0
-    for axis in range(3):
-        far += (point[axis] - begin[axis] - share * (end[axis] - begin[axis])) ** 2
-    return np.sqrt(far)
-
-
-@njit(cache=True, nogil=True)
-def _chains(parent, following, seated, position, shortest):
-    """First rings (s + 1,), the vertex (r,) at each ring and the vertex (r,) whose segment it belongs to."""
+    A vertex that is where the one before it is has its ring; one of a stem without length that of its parent.
+    """
     n = parent.shape[0]
     first = np.zeros(n + 1, np.int64)
-    vertex = np.zeros(2 * n, np.int64)
-    owner = np.zeros(2 * n, np.int64)
+    vertex, owner = np.zeros(2 * n, np.int64), np.zeros(2 * n, np.int64)
+    ring = np.zeros(n, np.int64)
     stems = rings = 0
     for start in range(n):
         if start > 0 and following[parent[start]] == start:
             continue
         begin, i = rings, start
-        vertex[rings] = start if start == 0 or seated[start] else parent[start]
+        vertex[rings] = start if start == 0 or seat[start] >= 0 else parent[start]
         owner[rings] = start
         rings += 1
         if start == 0:
@@ -121,11 +126,15 @@ def _chains(parent, following, seated, position, shortest):
             if gap > shortest * shortest:
                 vertex[rings] = owner[rings] = i
                 rings += 1
+            ring[i] = rings - 1
             i = following[i]
         if rings - begin < 2:
-            rings = begin
+            rings, i = begin, start
+            while i > 0:
+                ring[i] = ring[parent[start]]
+                i = following[i]
         else:
             first[stems] = begin
             stems += 1
     first[stems] = rings
-    return first[: stems + 1].copy(), vertex[:rings].copy(), owner[:rings].copy()
+    return first[: stems + 1].copy(), vertex[:rings].copy(), owner[:rings].copy(), ring

@@ -26,9 +26,9 @@ class LobedStems:
 
 
 def corners_of(stems: Chains, lobed: LobedStems | None, sides: int) -> NDArray[np.int64]:
-    """Corners of the rings of each stem (s,): `sides` at the thickest, fewer by the root of thickness, four a lobe."""
+    """Corners of the rings of each stem (s,): `sides` at the thickest, less by the fifth root; four a lobe."""
     thickest = np.maximum.reduceat(stems.radius, stems.first[:-1])
-    wanted = np.round(sides * np.sqrt(thickest / thickest.max()))
+    wanted = np.round(sides * (thickest / thickest.max()) ** 0.2)
     round_ones: NDArray[np.int64] = np.clip(wanted, fewest_corners(sides), sides).astype(np.int64)
     if lobed is None:
         return round_ones

@@ -2,12 +2,24 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Literal, get_args
 
-LeafShape = Literal["broad", "round", "narrow", "lobed", "needle", "tuft", "frond"]
-"""Outline of a leaf; `tuft` is a twig of needles, `frond` a feather leaf, each in the place of one leaf."""
+LeafShape = Literal[
+    "broad", "round", "narrow", "lobed", "needle", "tuft", "frond", "oak", "compound", "scale",
+    "sprig", "round_sprig", "lobed_sprig", "oak_sprig",
+]  # fmt: skip
+"""Outline of a leaf: `lobed` is a maple's, `compound` a feather of leaflets as an ash has.
+
+`tuft` is a twig of needles, `frond` the leaf of a palm, `scale` a spray of a thuja, each in the place of one leaf; so
+are sprigs, twigs of a dozen leaves.
+"""
 LEAF_SHAPES: tuple[str, ...] = get_args(LeafShape)
+SPRIGS: Mapping[LeafShape, LeafShape] = {
+    "broad": "sprig", "round": "round_sprig", "lobed": "lobed_sprig", "oak": "oak_sprig",
+}  # fmt: skip
+"""Sprigs by the shape of their leaves."""
 
 
 @dataclass(frozen=True)
@@ -21,13 +33,6 @@ class Look:
     lobes: int = 0  # count around the trunk
     lobe_depth: float = 0.0  # share of the radius, in [0, 1)
     leaf_shape: str | None = None  # one of LEAF_SHAPES, None when the generator has no wish
-
-
-def leaf_shape_of(wanted: str, look: Look | None) -> str:
-    """Return the leaf shape that is `wanted`; "auto" is that of the look, "broad" when it has none."""
-    if wanted != "auto":
-        return wanted
-    return "broad" if look is None or look.leaf_shape is None else look.leaf_shape
 
 
 def check_look(look: Look) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import yaml
@@ -22,6 +22,7 @@ class Preset:
     version: str
     seed: int
     values: Mapping[str, Value]
+    look: Mapping[str, str] = field(default_factory=dict)  # of bark and leaves, where the plant has one of its own
 
 
 def write_preset(
@@ -31,15 +32,18 @@ def write_preset(
     version: str,
     seed: int,
     values: Mapping[str, Value],
+    look: Mapping[str, str] | None = None,
     notes: Mapping[str, str | float] | None = None,
 ) -> None:
-    """Write a preset to `path`; `notes` (a score, say) are for people and not read back."""
+    """Write a preset to `path`; `look` is that of bark and leaves, `notes` (a score, say) are not read back."""
     content: dict[str, object] = {
         "generator": str(generator),
         "version": str(version),
         "seed": int(seed),
         "values": {str(name): _plain(value) for name, value in values.items()},
     }
+    if look:
+        content["look"] = dict(look)
     if notes:
         content["notes"] = {str(name): _plain(note) for name, note in notes.items()}
     text = yaml.safe_dump(content, sort_keys=False, allow_unicode=True, width=1000)
@@ -54,7 +58,7 @@ def read_preset(path: Path | str) -> Preset:
     missing = [key for key in KEYS if key not in content]
     if missing:
         raise ValueError(f"preset {path}: must have the keys {', '.join(KEYS)}, lacks {', '.join(missing)}")
-    unknown = [str(key) for key in content if key not in (*KEYS, "notes")]
+    unknown = [str(key) for key in content if key not in (*KEYS, "look", "notes")]
     if unknown:
         raise ValueError(f"preset {path}: has keys that no preset has: {', '.join(unknown)}")
     generator, version, seed, values = (content[key] for key in KEYS)
@@ -68,7 +72,10 @@ def read_preset(path: Path | str) -> Preset:
         raise ValueError(f"preset {path}: values must be a table of parameter names and values, got {values!r}")
     for name, value in values.items():
         _check_value(path, name, value)
-    return Preset(generator, str(version), seed, values)
+    look = content.get("look") or {}
+    if not isinstance(look, dict) or not all(isinstance(word, str) for pair in look.items() for word in pair):
+        raise ValueError(f"preset {path}: look must be a table of names and texts, got {look!r}")
+    return Preset(generator, str(version), seed, values, look)
 
 
 def read_presets(folder: Path | str) -> dict[str, Preset]:

@@ -6,9 +6,6 @@ import shlex
 from dataclasses import dataclass
 from pathlib import Path
 
-ADDRESS = "http://127.0.0.1:5000"
-"""Where `mlflow ui` answers."""
-
 
 @dataclass(frozen=True)
 class LocalStore:
@@ -35,3 +32,14 @@ class LocalStore:
     def command(self) -> str:
         """Shell command that serves the pages of this store."""
         return f"mlflow ui --workers 1 --backend-store-uri {shlex.quote(self.uri)}"
+
+
+def find_store(uri: str | None) -> LocalStore | str:
+    """Return the local store that `uri` means, None being outputs/mlflow.db, or `uri` itself when it is a server's."""
+    if uri is None:
+        return LocalStore(Path("outputs", "mlflow.db").resolve())
+    if uri.startswith("sqlite:///"):
+        return LocalStore(Path(uri.removeprefix("sqlite:///")).resolve())
+    if uri.startswith(("http://", "https://")):
+        return uri
+    raise ValueError(f"tracking.uri: must be like http://host:5000 or sqlite:////folder/mlflow.db, got {uri!r}")

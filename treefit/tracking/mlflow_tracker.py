@@ -9,9 +9,11 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from threading import Event
 
+from treefit.tracking.addresses import LOCAL_ADDRESS, runs_page
 from treefit.tracking.background import Background
-from treefit.tracking.local_store import ADDRESS, LocalStore
+from treefit.tracking.local_store import LocalStore, find_store
 from treefit.tracking.mlflow_run import MlflowRun
+from treefit.tracking.story import Story
 
 _log = logging.getLogger(__name__)
 
@@ -27,16 +29,24 @@ class MlflowTracker:
             raise ValueError(f"tracking.experiment: must be a name, got {experiment!r}")
         if isinstance(patience, bool) or not isinstance(patience, int | float) or not 0 < patience < math.inf:
             raise ValueError(f"tracking.patience: must be a number of seconds greater than 0, got {patience!r}")
-        self._store = _store(uri)
+        self._store = find_store(uri)
         self._patience = patience
         self._run = MlflowRun(self._store, experiment)
         self._started = Event()
         self._background: Background | None = None
 
-    def start(self, name: str, tags: Mapping[str, str], params: Mapping[str, str], parent: str | None) -> None:
-        """Begin a run; returns at once."""
+    def start(
+        self,
+        name: str,
+        tags: Mapping[str, str],
+        params: Mapping[str, str],
+        parent: str | None = None,
+        folder: Path | None = None,
+    ) -> None:
+        """Begin a run, or go on with the one that `folder` is already; returns at once."""
+        when = time.time()
         self._background = Background("tracking", self._give_up)
-        self._background.do(lambda: self._run.start(name, dict(tags), dict(params), parent))
+        self._background.do(lambda: self._run.start(name, dict(tags), dict(params), parent, folder, when))
         self._background.do(self._started.set, always=True)
 
     def log(self, metrics: Mapping[str, float], step: int) -> None:
@@ -47,6 +57,10 @@ class MlflowTracker:
     def artifacts(self, folder: Path, pattern: str = "**/*") -> None:
         """Keep the files in `folder` that match `pattern`; returns at once, so they must stay as they are."""
         self._do(lambda: self._run.artifacts(folder, pattern))
+
+    def tell(self, story: Story) -> None:
+        """Show `story` on the run's page; returns at once, so its pictures must stay as they are."""
+        self._do(lambda: self._run.tell(story))
 
     def finish(self, status: str) -> None:
         """End the run and wait until it is kept, but not longer than the patience."""
@@ -67,9 +81,9 @@ class MlflowTracker:
         """Command and address that show the runs; "" before the store answered."""
         if self._run.experiment_id is None:
             return ""
-        page = f"#/experiments/{self._run.experiment_id}?workflowType=machine_learning"
+        page = runs_page(self._run.experiment_id)
         if isinstance(self._store, LocalStore):
-            return f"{self._store.command}   then open {ADDRESS}/{page}"
+            return f"{self._store.command}   then open {LOCAL_ADDRESS}/{page}"
         return f"{self._store.rstrip('/')}/{page}"
 
     def _do(self, job: Callable[[], None]) -> None:
@@ -79,14 +93,3 @@ class MlflowTracker:
     def _give_up(self, error: Exception) -> None:
         reason = " ".join(str(error).split())[:200] or type(error).__name__
         _log.warning("tracking: stopped, the run goes on and its own folder is complete (%s)", reason)
-
-
-def _store(uri: str | None) -> LocalStore | str:
-    """Return the local store that `uri` means, or `uri` itself when it is a server's."""
-    if uri is None:
-        return LocalStore(Path("outputs", "mlflow.db").resolve())
-    if uri.startswith("sqlite:///"):
-        return LocalStore(Path(uri.removeprefix("sqlite:///")).resolve())
-    if uri.startswith(("http://", "https://")):
-        return uri
-    raise ValueError(f"tracking.uri: must be like http://host:5000 or sqlite:////folder/mlflow.db, got {uri!r}")

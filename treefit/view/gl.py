@@ -29,7 +29,7 @@ class _Renderer(Protocol):
 def gl_missing() -> str | None:
     """None when offscreen OpenGL works, else one line that says what is missing and how to get it."""
     try:
-        _renderer()
+        gl_renderer()
     except Exception as error:  # PyOpenGL raises whatever it meets: AttributeError, OSError, TypeError, EGLError ...
         reason = " ".join(str(error).split())[:120] or type(error).__name__
         return (
@@ -52,7 +52,7 @@ def gl_mask(plant: Plant, height_px: int, half_width: float) -> Mask:
     extent = extent_of(plant)
     scene = pyrender.Scene(bg_color=(0, 0, 0, 0))
     colours = {}
-    for mesh in branch_meshes(plant, _SIDES).values():
+    for mesh in branch_meshes(plant, _SIDES, plain=True).values():
         colours[scene.add(_part(mesh))] = _WOOD
     if plant.n_leaves:
         colours[scene.add(_part(leaf_mesh(plant, "round")))] = _LEAVES
@@ -63,15 +63,15 @@ def gl_mask(plant: Plant, height_px: int, half_width: float) -> Mask:
         znear=0.05 * extent.height,
         zfar=far - near + extent.height,
     )
-    scene.add(camera, pose=_front_pose(near - 0.5 * extent.height, extent.height / 2))
-    renderer = _renderer()
+    scene.add(camera, pose=front_pose(near - 0.5 * extent.height, extent.height / 2))
+    renderer = gl_renderer()
     renderer.viewport_width, renderer.viewport_height = round(2 * half_width * height_px), height_px
     colour, _ = renderer.render(scene, flags=int(pyrender.RenderFlags.SEG), seg_node_map=colours)
     return _classes(colour)
 
 
 @cache
-def _renderer() -> _Renderer:
+def gl_renderer() -> _Renderer:
     """Return the one renderer of this process; a context must be chosen before OpenGL is imported."""
     os.environ.setdefault("PYOPENGL_PLATFORM", "egl")
     import pyrender
@@ -92,7 +92,7 @@ def _depths(scene: Any) -> tuple[float, float]:
     return float(low), float(high)
 
 
-def _front_pose(y: float, z: float) -> NDArray[np.float64]:
+def front_pose(y: float, z: float) -> NDArray[np.float64]:
     """Pose (4, 4) of a camera at (0, y, z) that looks along +y with z up."""
     pose = np.eye(4)
     pose[:3, 0], pose[:3, 1], pose[:3, 2] = (1, 0, 0), (0, 0, 1), (0, -1, 0)

@@ -7,17 +7,59 @@ import numpy as np
 import pytest
 
 from treefit.asset import AssetSettings
-from treefit.asset.mesh.leaf_outline import leaf_card, outline_of
+from treefit.asset.mesh.leaf_outline import leaf_card, leaf_frame, outline_of, plain_card
 from treefit.asset.model import model_of
 from treefit.plant import LEAF_SHAPES, Look
+from treefit.plant.leaf_shape import LARGE, LARGE_SHARE
+from treefit.plant.look import SPRIGS
 
-TRIANGLES = {"broad": 4, "round": 6, "narrow": 4, "lobed": 8, "needle": 2, "tuft": 9, "frond": 24}
+TRIANGLES = {
+    "broad": 4, "round": 6, "narrow": 4, "lobed": 8, "needle": 2, "tuft": 9, "frond": 24, "oak": 10, "compound": 19,
+    "scale": 14, **dict.fromkeys(SPRIGS.values(), 4),
+}  # fmt: skip
 
 
-def test_the_wish_of_the_plant_counts_unless_the_user_has_one():
-    assert outline_of("auto", None) == outline_of("auto", Look()) == "broad"
-    assert outline_of("auto", Look(leaf_shape="tuft")) == "tuft"
-    assert outline_of("round", Look(leaf_shape="tuft")) == "round"
+def dressed(plant, look, length=0.1, width=0.6):
+    """The plant with `look` and leaves of `length` m."""
+    size = np.tile(np.float32([length, width * length]), (plant.n_leaves, 1))
+    return dataclasses.replace(plant, look=look, leaf_size=size)
+
+
+def test_the_wish_of_the_plant_counts_unless_the_user_has_one(tree):
+    tuft = dressed(tree, Look(leaf_shape="tuft"))
+    assert outline_of("auto", dressed(tree, None)) == outline_of("auto", dressed(tree, Look())) == "broad"
+    assert outline_of("auto", tuft) == "tuft"
+    assert outline_of("round", tuft) == "round"
+
+
+def test_without_a_wish_slender_leaves_are_needles(tree):
+    for plant, shape in ((dressed(tree, Look()), "broad"), (dressed(tree, Look(), width=0.2), "tuft")):
+        assert outline_of("auto", plant) == shape
+        mesh = model_of(plant, AssetSettings(texture_size=0)).parts["leaves"].mesh
+        assert len(mesh.faces) == TRIANGLES[shape] * plant.n_leaves
+    assert outline_of("auto", dressed(tree, Look(leaf_shape="narrow"), width=0.2)) == "narrow"
+
+
+@pytest.mark.parametrize("shape", LEAF_SHAPES)
+def test_leaves_too_large_for_a_leaf_are_sprigs_where_there_are_sprigs_of_them(tree, shape):
+    height = tree.position[:, 2].max()
+    limit = max(LARGE, LARGE_SHARE * height)
+    look = Look(leaf_shape=shape)
+    assert outline_of("auto", dressed(tree, look, 0.99 * limit)) == shape
+    assert outline_of("auto", dressed(tree, look, 1.01 * limit)) == SPRIGS.get(shape, shape)
+    assert outline_of(shape, dressed(tree, look, 1.01 * limit)) == shape
+
+
+def test_large_leaves_of_a_tall_tree_are_leaves(tree):
+    tall = dataclasses.replace(tree, position=tree.position * np.float32(10))
+    assert tall.position[:, 2].max() > LARGE / LARGE_SHARE
+    assert outline_of("auto", dressed(tall, None, 1.2 * LARGE)) == "broad"
+
+
+def test_a_few_large_leaves_make_no_sprigs(tree):
+    size = np.full((tree.n_leaves, 2), 0.9 * LARGE, dtype=np.float32)
+    size[: tree.n_leaves // 3] = 1.0
+    assert outline_of("auto", dataclasses.replace(tree, leaf_size=size, look=None)) == "broad"
 
 
 @pytest.mark.parametrize("shape", LEAF_SHAPES)
@@ -43,6 +85,21 @@ def test_a_card_is_seen_from_its_normal_and_stays_near_the_unit_square(shape, fo
     assert card.place[:, 1].min() == 0
     assert card.place[:, 1].max() == pytest.approx(1)
     assert np.linalg.norm(card.place[:, [0, 2]], axis=1).max() < 1.3
+
+
+@pytest.mark.parametrize("shape", LEAF_SHAPES)
+def test_a_plain_card_is_the_square_of_the_texture_around_the_leaf(shape):
+    card, plain = leaf_card(shape), plain_card(shape)
+    assert len(plain.faces) == 2
+    assert sorted(map(tuple, plain.uv)) == [(0, 0), (0, 1), (1, 0), (1, 1)]
+    a, b, c = plain.place[plain.faces].astype(float).transpose(1, 0, 2)
+    assert (np.cross(b - a, c - a)[:, 2] > 0).all()
+    assert (plain.place[:, 2] == 0).all()
+    assert np.ptp(plain.place[:, 1]) < 1.1
+    if shape != "tuft":  # all others lie flat, and then the same place has the same texel on both cards
+        np.testing.assert_allclose(leaf_frame(shape).xy(card.uv), card.place[:, :2], atol=1e-6)
+    np.testing.assert_allclose(leaf_frame(shape).xy(plain.uv), plain.place[:, :2], atol=1e-6)
+    assert 0 < card.uv.min() < card.uv.max() < 1
 
 
 def test_needles_of_a_tuft_stand_out_on_all_sides():

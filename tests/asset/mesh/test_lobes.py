@@ -25,7 +25,7 @@ def foot(mesh):
 
 @pytest.mark.parametrize(("lobes", "depth"), [(1, 0.3), (3, 0.1), (5, 0.07), (9, 0.03), (12, 0.3)])
 def test_the_foot_has_the_radius_of_the_formula(lobes, depth):
-    x, y = foot(branch_meshes(lobed(POLE, lobes, depth))["trunk"]).T
+    x, y = foot(branch_meshes(lobed(POLE, lobes, depth), plain=True)["trunk"]).T
     angle = np.arctan2(y, x)
     np.testing.assert_allclose(np.hypot(x, y), 0.5 * (1 + depth * np.sin(lobes * angle)), rtol=1e-5)
     assert len(x) >= 4 * lobes
@@ -33,7 +33,7 @@ def test_the_foot_has_the_radius_of_the_formula(lobes, depth):
 
 
 def test_lobes_fade_to_nothing_at_the_top_of_the_trunk():
-    vertices = branch_meshes(lobed(POLE))["trunk"].vertices
+    vertices = branch_meshes(lobed(POLE), plain=True)["trunk"].vertices
     for height, share in ((0, 1), (1, 0.75), (4, 0)):
         ring = vertices[np.abs(vertices[:, 2] - height) < 1e-6, :2]
         radius = np.hypot(*ring.T)
@@ -58,7 +58,7 @@ def test_a_lobed_pole_has_the_volume_of_its_sections():
     radius = 0.5 * (1 + 0.3 * (1 - height[:, None] / 3) * np.sin(3 * angle))
     section = 0.5 * np.sin(angle[1]) * (radius * np.roll(radius, -1, axis=1)).sum(axis=1)
     volume = np.trapezoid(section, height) + section[-1] * 0.25 / 3  # a pyramid half a radius high is the tip
-    assert solid(branch_meshes(lobed(pole, 3, 0.3), 32)["trunk"]).volume == pytest.approx(volume, rel=1e-4)
+    assert solid(branch_meshes(lobed(pole, 3, 0.3), 32, plain=True)["trunk"]).volume == pytest.approx(volume, rel=1e-4)
 
 
 def test_normals_stand_on_the_swollen_surface():
@@ -76,11 +76,13 @@ def test_normals_stand_on_the_swollen_surface():
 
 
 def test_only_stems_of_the_trunk_have_lobes_and_its_clones_too(tree):
-    round_ones, lobed_ones = branch_meshes(tree), branch_meshes(lobed(tree))
+    round_ones, lobed_ones = branch_meshes(tree, plain=True), branch_meshes(lobed(tree), plain=True)
     np.testing.assert_array_equal(round_ones["branches"].vertices, lobed_ones["branches"].vertices)
     assert len(lobed_ones["trunk"].vertices) > len(round_ones["trunk"].vertices)
     fork = wood([[0, 0, 0], [0, 0, 1], [0, 0, 4], [1, 0, 3]], [0.3, 0.2, 0.1, 0.1], [-1, 0, 1, 1], [0] * 4)
-    assert len(branch_meshes(lobed(fork))["trunk"].vertices) == 5 * 21 + 2 + 2  # rings, tips, middles of feet
+    assert (
+        len(branch_meshes(lobed(fork), plain=True)["trunk"].vertices) == 5 * 21 + 2 + 2
+    )  # rings, tips, middles of feet
 
 
 @pytest.mark.parametrize(("lobes", "depth", "sides"), [(0, 0.5, 8), (5, 0.02, 8), (5, 0.5, 4), (25, 0.5, 8)])

@@ -9,8 +9,9 @@ from treefit.asset.mesh.stems import stems_of
 from treefit.plant import Plant
 
 
-def test_frames_do_not_twist(tree):
-    stems = stems_of(tree)
+@pytest.mark.parametrize("plain", [True, False])
+def test_frames_do_not_twist(tree, plain):
+    stems = stems_of(tree, plain)
     turned = (stems.side[1:] * stems.side[:-1]).sum(axis=1)
     bent = (stems.tangent[1:] * stems.tangent[:-1]).sum(axis=1)
     inside = np.setdiff1d(np.arange(len(turned)), stems.first[1:-1] - 1)
@@ -22,14 +23,14 @@ def test_a_branch_begins_at_its_parent_vertex_with_its_own_radius():
         [[0, 0, 0], [0, 0, 1], [0, 0, 2], [0.5, 0, 1.5], [0.8, 0, 1.8]],
         [0.2, 0.15, 0.1, 0.06, 0.03], [-1, 0, 1, 1, 3], [0, 0, 0, 1, 1],
     )  # fmt: skip
-    stems = stems_of(fork)
+    stems = stems_of(fork, plain=True)
     start = stems.first[1]
     np.testing.assert_allclose(stems.centre[start], [0, 0, 1])
     np.testing.assert_allclose(stems.radius[start : start + 3], [0.06, 0.06, 0.03], rtol=1e-6)
 
 
 def test_every_segment_is_covered_once(tree):
-    stems = stems_of(tree)
+    stems = stems_of(tree, plain=True)
     assert len(stems.centre) - len(stems.level) == tree.n_vertices - 1
 
 
@@ -47,7 +48,7 @@ def branched(*stem, radius=0.05, on=1, pole=POLE):
 
 
 def branch_rings(plant):
-    stems = stems_of(plant)
+    stems = stems_of(plant, plain=True)
     return [rings for rings, level in zip(np.split(stems.centre, stems.first[1:-1]), stems.level, strict=True) if level]
 
 
@@ -120,7 +121,7 @@ def test_a_clone_begins_at_the_vertex_where_it_parts_even_when_that_is_a_seat():
 
 def test_seated_stems_have_their_own_radius_and_no_ring_in_the_parents_wood(tree):
     plant, seats = seated(tree)
-    stems = stems_of(plant)
+    stems = stems_of(plant, plain=True)
     begins = {tuple(stems.centre[ring]): stems.radius[ring] for ring in stems.first[:-1]}
     assert [begins.get(tuple(plant.position[seat])) for seat in seats] == plant.radius[seats].tolist()
     assert len(stems.centre) - len(stems.level) == plant.n_vertices - 1 - len(seats)

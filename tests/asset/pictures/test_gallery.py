@@ -24,7 +24,7 @@ def entry(name="one", captions=("score 0.9",), mask=None):
 def test_all_masks_stand_at_one_height_on_one_baseline():
     target = standing(300, 400, 100, 220, 60, 250)
     image = gallery(np.full((300, 400, 3), 255, np.uint8), target, [entry(mask=standing(90, 90, 20, 70, 30, 80))], "t")
-    lower = image[_TOP + _HEIGHT : _TOP + 2 * _HEIGHT + 14]
+    lower = image[_TOP + _HEIGHT : _TOP + 2 * _HEIGHT + 16]
     shown = (lower == PALETTE[1]).all(axis=2) | (lower == PALETTE[2]).all(axis=2)
     columns = np.flatnonzero(shown.any(axis=0))
     split = columns[np.argmax(np.diff(columns)) + 1]
@@ -36,7 +36,7 @@ def test_the_picture_stands_over_its_mask_whatever_its_size():
     mask = standing(100, 100, 30, 70, 10, 90)
     photo = np.kron(np.where(mask[..., None] > 0, 0, 255).astype(np.uint8), np.ones((3, 3, 3), np.uint8))
     image = gallery(photo, mask, [], "t").astype(int)
-    upper, lower = image[_TOP : _TOP + _HEIGHT, _MARGIN + 2 :], image[_TOP + _HEIGHT + 14 :][:_HEIGHT, _MARGIN + 2 :]
+    upper, lower = image[_TOP : _TOP + _HEIGHT, _MARGIN + 2 :], image[_TOP + _HEIGHT + 16 :][:_HEIGHT, _MARGIN + 2 :]
     dark = upper.max(axis=2) < 128
     inside = np.s_[4 : _HEIGHT - 4]
     assert (dark[inside] == (lower.min(axis=2) < 128)[inside]).mean() > 0.98

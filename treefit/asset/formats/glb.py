@@ -4,22 +4,25 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
 
 import numpy as np
-import trimesh
 from numpy.typing import NDArray
-from trimesh.visual.material import PBRMaterial
 
+from treefit.asset.formats.gltf import GltfFile, Json
+from treefit.asset.formats.image_file import image_file
+from treefit.asset.formats.mesh_check import check_models
+from treefit.asset.formats.tangents import tangents
+from treefit.asset.formats.vertex_colours import vertex_colours
+from treefit.asset.formats.whole_file import write_whole
 from treefit.asset.material.colour import to_linear
 from treefit.asset.material.material import Material
 from treefit.asset.material.tree_materials import TreeColours
-from treefit.asset.mesh import Mesh
-from treefit.asset.model import MeshCounts, Model, model_of
+from treefit.asset.model import MeshCounts, Model, Part, model_of
 from treefit.asset.settings import AssetSettings
 from treefit.plant import Plant, check_plant
 
-_ATTRIBUTES, _INDICES = 34962, 34963  # OpenGL's names of buffer kinds
+CHANNELS = {"occlusion": "light (grey)", "wind": "bend, phase, flutter, openness"}
+"""What is in the vertex colours, as the file itself says."""
 
 
 def write_glb(plant: Plant, path: Path | str, settings: AssetSettings, seen: TreeColours | None = None) -> MeshCounts:
@@ -34,54 +37,81 @@ def write_glb(plant: Plant, path: Path | str, settings: AssetSettings, seen: Tre
 
 
 def write_models(models: Sequence[Model], path: Path | str, settings: AssetSettings) -> None:
-    """Write `models` to `path`, each a node with its parts as children; parts have the plain names when it is one."""
-    scene = trimesh.Scene()
+    """Write `models` to `path`, each a node with its parts as children; pictures and materials are there once.
+
+    Parts have their plain names when there is one model, else names like 'trunk_LOD1'. COLOR_0 and COLOR_1 are as
+    `vertex_colours` says. ValueError, and no file, when a mesh is empty, not finite or without normals.
+    """
+    check_models(models, "glb")
+    file = GltfFile()
+    nodes: list[Json] = []
+    roots = []
     for model in models:
-        scene.graph.update(model.name)
+        suffix = "" if len(models) == 1 else f"_{model.name.rpartition('_')[2]}"
+        roots.append(len(nodes))
+        counts = {"triangles": model.counts.triangles, "vertices": model.counts.vertices}
+        nodes.append({"name": model.name, "children": [*range(len(nodes) + 1, len(nodes) + 1 + len(model.parts))],
+                      "extras": counts})  # fmt: skip
         for name, part in model.parts.items():
-            _check(name, part.mesh)
-            full = name if len(models) == 1 else f"{name}_{model.name.rpartition('_')[2]}"
-            scene.add_geometry(_geometry(part.mesh, part.material), node_name=full, geom_name=full,
-                               parent_node_name=model.name)  # fmt: skip
-    data: bytes = scene.export(file_type="glb", include_normals=True, unitize_normals=False, tree_postprocessor=_finish)
-    Path(path).write_bytes(data)
+            mesh = {"name": name + suffix, "primitives": [_primitive(file, part, settings)]}
+            nodes.append({"name": name + suffix, "mesh": file.mesh(mesh)})
+    write_whole(path, file.binary(nodes, roots, _asset(models, settings)))
 
 
-def _check(name: str, mesh: Mesh) -> None:
-    if not all(np.isfinite(part).all() for part in (mesh.vertices, mesh.normals, mesh.uv)):
-        raise ValueError(f"glb: mesh {name!r} has NaN or infinite values")
-    if np.abs(np.linalg.norm(mesh.normals, axis=1) - 1).max() > 1e-3:
-        raise ValueError(f"glb: mesh {name!r} has normals that are not of unit length (leaf axis or normal is zero?)")
+def _asset(models: Sequence[Model], settings: AssetSettings) -> Json:
+    """Who wrote the file, and what its vertex colours are."""
+    meshes = [part.mesh for model in models for part in model.parts.values()]
+    if all(mesh.wind is None and mesh.openness is None for mesh in meshes):
+        return {"generator": "treefit"}
+    first = settings.vertex_colours
+    second = "wind" if first == "occlusion" else "occlusion"
+    return {"generator": "treefit", "extras": {"COLOR_0": CHANNELS[first], "COLOR_1": CHANNELS[second]}}
 
 
-def _geometry(mesh: Mesh, material: Material) -> trimesh.Trimesh:
-    surface = PBRMaterial(
-        name=material.name,
-        baseColorFactor=[*to_linear(material.colour), 1.0],  # the format wants linear
-        metallicFactor=0.0,
-        roughnessFactor=material.rough,
-        doubleSided=material.two_sided,
-    )
-    return trimesh.Trimesh(
-        vertices=_y_up(mesh.vertices),
-        faces=mesh.faces,
-        vertex_normals=_y_up(mesh.normals),
-        visual=trimesh.visual.TextureVisuals(uv=mesh.uv, material=surface),
-        process=False,
-    )
+def _primitive(file: GltfFile, part: Part, settings: AssetSettings) -> Json:
+    mesh = part.mesh
+    attributes = {
+        "POSITION": file.attribute(_y_up(mesh.vertices), bounds=True),
+        "NORMAL": file.attribute(_y_up(mesh.normals)),
+        "TEXCOORD_0": file.attribute(_texture_place(mesh.uv)),
+    }
+    if part.material.normal is not None:
+        tangent = tangents(mesh)
+        attributes["TANGENT"] = file.attribute(np.column_stack([_y_up(tangent[:, :3]), tangent[:, 3]]))
+    for index, colours in enumerate(vertex_colours(mesh, settings.vertex_colours)):
+        attributes[f"COLOR_{index}"] = file.attribute(colours)
+    return {"attributes": attributes, "indices": file.indices(mesh.faces), "material": _material(file, part.material)}
+
+
+def _material(file: GltfFile, material: Material) -> int:
+    surface: dict[str, object] = {
+        "baseColorFactor": [*to_linear(material.colour).round(6).tolist(), 1.0],  # the format wants linear
+        "metallicFactor": 0.0,
+        "roughnessFactor": material.rough,
+    }
+    made: dict[str, object] = {"name": material.name, "pbrMetallicRoughness": surface}
+    if material.base is not None:
+        surface["baseColorTexture"] = {"index": file.texture(image_file(material.base), material.name)}
+    if material.roughness is not None:  # green is roughness; blue, metal, is multiplied by 0
+        grey = np.repeat(material.roughness[..., None], 3, axis=2)
+        surface["metallicRoughnessTexture"] = {"index": file.texture(image_file(grey), f"{material.name}_roughness")}
+    if material.normal is not None:
+        made["normalTexture"] = {"index": file.texture(image_file(material.normal), f"{material.name}_normal")}
+    if material.cutoff is not None:
+        made |= {"alphaMode": "MASK", "alphaCutoff": material.cutoff}
+    if material.two_sided:
+        made["doubleSided"] = True
+    return file.material(made)
 
 
 def _y_up(vectors: NDArray[np.float32]) -> NDArray[np.float32]:
     """(n, 3) with z up turned to y up; the front (-y) becomes +z, as glTF wants it."""
-    return np.column_stack([vectors[:, 0], vectors[:, 2], -vectors[:, 1]])
+    return np.column_stack([vectors[:, 0], vectors[:, 2], -vectors[:, 1]]).astype(np.float32)
 
 
-def _finish(tree: dict[str, Any]) -> None:
-    """Say in the file's JSON who wrote it and what each buffer view is for (the GPU wants to know)."""
-    tree["asset"]["generator"] = "treefit"
-    accessors, views = tree["accessors"], tree["bufferViews"]
-    for mesh in tree["meshes"]:
-        for primitive in mesh["primitives"]:
-            views[accessors[primitive["indices"]]["bufferView"]]["target"] = _INDICES
-            for accessor in primitive["attributes"].values():
-                views[accessors[accessor]["bufferView"]]["target"] = _ATTRIBUTES
+def _texture_place(uv: NDArray[np.float32]) -> NDArray[np.float32] | NDArray[np.uint16]:
+    """(n, 2) with v down, as glTF wants it; in 16 bits when all of it is in the unit square."""
+    place = np.column_stack([uv[:, 0], 1 - uv[:, 1]]).astype(np.float32)
+    if place.min() >= 0 and place.max() <= 1:
+        return np.asarray(np.rint(place * 65535), dtype=np.uint16)
+    return place

@@ -30,10 +30,27 @@ def parse_colour(value: object) -> Colour:
 
 def to_linear(colour: Colour) -> NDArray[np.float64]:
     """Linear (3,) in [0, 1] of an sRGB colour in 0..255."""
-    srgb = np.array(colour) / 255
+    return to_linear_light(np.array(colour) / 255)
+
+
+def to_linear_light(srgb: NDArray[np.floating]) -> NDArray[np.float64]:
+    """Exact linear values of sRGB (...) in [0, 1]."""
     return np.asarray(np.where(srgb <= 0.04045, srgb / 12.92, ((srgb + 0.055) / 1.055) ** 2.4))
 
 
 def to_srgb(linear: Floats) -> Floats:
     """Return sRGB (..., 3) in [0, 1] of linear colours, near enough for pictures; lights over 1 are cut."""
     return np.asarray(np.clip(linear, 0, 1) ** np.float32(1 / 2.2), dtype=np.float32)
+
+
+def srgb_codes(linear: NDArray[np.floating]) -> NDArray[np.uint8]:
+    """Exact sRGB (...) in 0..255 of linear values in [0, 1]."""
+    cut = np.clip(linear, 0, 1)
+    srgb = np.where(cut <= 0.0031308, cut * 12.92, 1.055 * cut ** (1 / 2.4) - 0.055)
+    return np.asarray(np.rint(srgb * 255), dtype=np.uint8)
+
+
+def of_linear(linear: NDArray[np.floating]) -> Colour:
+    """Colour of linear (3,); lights over 1 are cut."""
+    red, green, blue = srgb_codes(linear)
+    return int(red), int(green), int(blue)

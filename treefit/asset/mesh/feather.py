@@ -1,4 +1,4 @@
-"""Feathers: leaves of slips along a midrib, one triangle a slip; `frond` of a palm and `tuft` of needles on a twig."""
+"""Feathers: leaves of slips along a midrib, one triangle each: palm fronds, tufts of needles, sprays of scales."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ class Feather:
     tip: Floats  # (n,) place of the tip along the leaf
 
     def corners(self) -> tuple[Floats, Floats, Floats]:
-        """Places (c, 3), unit normals (c, 3), texture places (c, 2) of the midrib, then of the tips; area pi/4."""
+        """Places (c, 3), unit normals (c, 3), flat places (c, 2) of the midrib, then of the tips; area pi/4."""
         area = (np.diff(self.midrib)[self.part] * self.reach).sum() / 2
         reach = self.reach * math.pi / 4 / area
         right = np.where(np.cos(self.turn) >= 0, 1.0, -1.0)
@@ -30,8 +30,7 @@ class Feather:
         rib, none = np.zeros_like(self.midrib), np.zeros_like(x)
         place = np.column_stack([np.r_[rib, reach * x], np.r_[self.midrib, self.tip], np.r_[rib, reach * z]])
         normal = np.column_stack([np.r_[rib, -right * z], np.r_[rib, none], np.r_[rib + 1, right * x]])
-        u = 0.5 + np.r_[rib, right * reach] / (2 * reach.max())
-        return place, normal, np.column_stack([u, place[:, 1]])
+        return place, normal, np.column_stack([np.r_[rib, right * reach], place[:, 1]])
 
     def faces(self) -> NDArray[np.int64]:
         """Triangles (n, 3), each seen from the side of the leaf's normal."""
@@ -59,3 +58,14 @@ def tuft() -> Feather:
     turn = np.tile(np.arange(needles) * 2 * np.pi / needles, whorls) + part * np.pi / needles + 0.25
     at = part / (whorls - 1)
     return Feather(midrib, part, turn, 1 - 0.45 * at**2, 0.45 + 0.55 * at)
+
+
+def spray(fold: float) -> Feather:
+    """Return a flat spray of scale leaves, as of a thuja or cypress: 7 twigs on either side that lean to the tip."""
+    n = 7
+    midrib = np.linspace(0, 0.9, n + 1)
+    part = np.repeat(np.arange(n), 2)
+    at = part / (n - 1)
+    reach = np.sin(np.pi * (0.2 + 0.66 * at**0.9))
+    tip = midrib[part + 1] + (1 - midrib[part + 1]) * (0.42 + 0.58 * at**2)
+    return Feather(midrib, part, np.tile([fold, np.pi - fold], n), reach, tip)

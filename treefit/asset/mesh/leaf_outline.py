@@ -1,30 +1,24 @@
-"""Leaf outlines: one card in the unit square that is laid on every leaf of a plant."""
+"""Leaf outlines: one card of length and width 1 that is laid on every leaf of a plant."""
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from itertools import pairwise
 from typing import Literal, cast
 
 import numpy as np
 from numpy.typing import NDArray
 
-from treefit.asset.mesh.feather import Feather, frond, tuft
-from treefit.plant import LEAF_SHAPES, LeafShape, Look
-from treefit.plant.look import leaf_shape_of
+from treefit.asset.mesh.blade import BLADES, blade
+from treefit.asset.mesh.compound import compound
+from treefit.asset.mesh.feather import Feather, frond, spray, tuft
+from treefit.asset.mesh.leaf_frame import LeafFrame
+from treefit.plant import LEAF_SHAPES, LeafShape, Plant
+from treefit.plant.leaf_shape import leaf_shape_of
 
 Outline = Literal["auto", LeafShape]
-
-# Right half from the stalk to the tip: (half width, place along the midrib); seen from the stalk the points turn
-# steadily towards the tip, so a fan from the stalk covers the half. Widths are scaled to the area of the ellipse.
-_HALVES: dict[str, tuple[tuple[float, float], ...]] = {
-    "broad": ((0.46, 0.22), (0.42, 0.62)),
-    "round": ((0.34, 0.07), (0.50, 0.42), (0.38, 0.82)),
-    "narrow": ((0.40, 0.30), (0.34, 0.55)),
-    "lobed": ((0.40, 0.03), (0.25, 0.24), (0.52, 0.52), (0.18, 0.60)),
-    "needle": ((0.50, 0.40),),
-}
+Floats = NDArray[np.float64]
+Corners = tuple[Floats, Floats, Floats, NDArray[np.int64]]
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,9 +31,9 @@ class Card:
     faces: NDArray[np.int32]  # (t, 3)
 
 
-def outline_of(wanted: Outline, look: Look | None) -> LeafShape:
-    """Return the outline that is `wanted`; "auto" is that of the plant's look, "broad" when it has none."""
-    return cast(LeafShape, leaf_shape_of(wanted, look))
+def outline_of(wanted: Outline, plant: Plant) -> LeafShape:
+    """Return the outline that is `wanted`; "auto" is that of the plant's look, else by the size of its leaves."""
+    return cast(LeafShape, leaf_shape_of(wanted, plant))
 
 
 def leaf_card(shape: LeafShape, fold: float = 0.0) -> Card:
@@ -47,44 +41,41 @@ def leaf_card(shape: LeafShape, fold: float = 0.0) -> Card:
 
     The needles of a tuft stand all around its twig, fold or not.
     """
-    if shape not in LEAF_SHAPES:
-        raise ValueError(f"leaf outline must be one of {', '.join(LEAF_SHAPES)}, got {shape!r}")
     if not 0 <= fold < 80:
         raise ValueError(f"leaf fold must be in [0, 80) degrees, got {fold}")
-    turn = math.radians(fold)
-    if shape == "tuft":
-        return _feathered(tuft())
-    if shape == "frond":
-        return _feathered(frond(turn))
-    return _blade(np.array(_HALVES[shape]), turn)
+    place, normal, flat, faces = _corners(shape, math.radians(fold))
+    return _card(place, normal, LeafFrame(float(np.abs(flat[:, 0]).max())).uv(*flat.T), faces)
 
 
-def _feathered(feather: Feather) -> Card:
-    place, normal, uv = (part.astype(np.float32) for part in feather.corners())
-    return Card(place, normal, uv, feather.faces().astype(np.int32))
+def plain_card(shape: LeafShape) -> Card:
+    """Return the same leaf as two triangles that carry the whole texture, whose alpha is then the outline."""
+    uv = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
+    flat = leaf_frame(shape).xy(uv)
+    place, normal = np.column_stack([flat, np.zeros(4)]), np.tile([0.0, 0.0, 1.0], (4, 1))
+    return _card(place, normal, uv, np.array([[0, 1, 2], [0, 2, 3]]))
 
 
-def _blade(half: NDArray[np.float64], turn: float) -> Card:
-    """Two fans from the stalk, one a half."""
-    half[:, 0] *= math.pi / 8 / _half_area(half)
-    n = len(half)
-    x = np.concatenate([[0, 0], half[:, 0], -half[:, 0]])
-    y = np.concatenate([[0, 1], half[:, 1], half[:, 1]])
-    place = np.column_stack([x * math.cos(turn), y, np.abs(x) * math.sin(turn)])
-    normal = np.column_stack([-np.sign(x) * math.sin(turn), 0 * x, np.where(x == 0, 1, math.cos(turn))])
-    uv = np.column_stack([0.5 + x / (2 * np.abs(x).max()), y])
-    right = [2 + i for i in range(n)] + [1]
-    left = [2 + n + i for i in range(n)] + [1]
-    faces = [(0, a, b) for a, b in pairwise(right)]
-    faces += [(0, b, a) for a, b in pairwise(left)]
+def leaf_frame(shape: LeafShape) -> LeafFrame:
+    """Return the square that the texture of `shape` fills."""
+    return LeafFrame(float(np.abs(_corners(shape, 0.0)[2][:, 0]).max()))
+
+
+def _corners(shape: LeafShape, turn: float) -> Corners:
+    """Places, normals, flat places and triangles of `shape`, halves raised by `turn` rad."""
+    if shape not in LEAF_SHAPES:
+        raise ValueError(f"leaf outline must be one of {', '.join(LEAF_SHAPES)}, got {shape!r}")
+    if shape in BLADES:
+        return blade(shape, turn)
+    if shape == "compound":
+        return compound(turn)
+    return _feathered({"tuft": tuft, "frond": lambda: frond(turn), "scale": lambda: spray(turn)}[shape]())
+
+
+def _feathered(feather: Feather) -> Corners:
+    return *feather.corners(), feather.faces()
+
+
+def _card(place: Floats, normal: Floats, uv: Floats, faces: NDArray[np.int64]) -> Card:
     return Card(
-        place.astype(np.float32), normal.astype(np.float32), uv.astype(np.float32),
-        np.array(faces, dtype=np.int32),
+        place.astype(np.float32), normal.astype(np.float32), uv.astype(np.float32), faces.astype(np.int32)
     )  # fmt: skip
-
-
-def _half_area(half: NDArray[np.float64]) -> float:
-    """Area of the polygon stalk, points of `half` (n, 2), tip."""
-    x = np.concatenate([[0], half[:, 0], [0]])
-    y = np.concatenate([[0], half[:, 1], [1]])
-    return abs(float(np.sum(x * np.roll(y, -1) - np.roll(x, -1) * y))) / 2

@@ -18,7 +18,7 @@ class Mesh:
     vertices: Floats  # (n, 3) m
     faces: Ints  # (m, 3)
     normals: Floats  # (n, 3) unit
-    uv: Floats  # (n, 2); tubes: metres around and along, leaves: the unit square, tip on top
+    uv: Floats  # (n, 2); tubes: pictures of about a metre (bark_uv.py), leaves: the unit square, tip on top
     wind: Floats | None = None  # (n, 3) in [0, 1]: bend (0 at the root), phase, flutter; None: not known
     openness: Floats | None = None  # (n,) in [0, 1]: share of the sky that is seen, for ambient occlusion
 

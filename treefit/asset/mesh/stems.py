@@ -1,4 +1,4 @@
-"""Stems: the chains of a plant, each with a frame that does not twist; knows nothing of faces."""
+"""Stems: the curves of a plant, each with a frame that does not twist; knows nothing of faces."""
 
 from __future__ import annotations
 
@@ -9,30 +9,53 @@ from numba import njit
 from numpy.typing import NDArray
 
 from treefit.plant import Plant
-from treefit.plant.chains import Chains, chains_of
+from treefit.plant.chains import JoinedChains, chains_of
+from treefit.plant.curves import Curves, curves_of, plain_curves
 
 
 @dataclass(frozen=True, eq=False)
-class Stems(Chains):
-    """Chains whose rings (r,) have a direction."""
+class Stems(Curves):
+    """Curves whose rings (r,) have a direction."""
 
     tangent: NDArray[np.float64]  # (r, 3) unit, along the stem
     side: NDArray[np.float64]  # (r, 3) unit, at right angles to the tangent
     along: NDArray[np.float64]  # (r,) m from where the stem begins
     narrowing: NDArray[np.float64]  # (r,) loss of radius per metre
+    chains: JoinedChains  # what the curves go through
+    stem: NDArray[np.int64]  # (r,) stem of each ring
+    grown: bool  # along curves, out of each other and out of the ground
 
 
-def stems_of(plant: Plant) -> Stems:
-    """Return the stems of `plant`, cut as `chains_of` says."""
+def stems_of(plant: Plant, plain: bool = False) -> Stems:
+    """Return the stems of `plant` along smooth curves, or, `plain`, straight from vertex to vertex without collars."""
     chains = chains_of(plant)
-    tangent, side, along = _frames(chains.first, chains.centre)
-    return Stems(chains.first, chains.level, chains.centre, chains.radius, tangent, side, along,
-                 narrowing(chains.first, along, chains.radius))  # fmt: skip
+    curves = plain_curves(chains) if plain else curves_of(chains)
+    tangent, side, along = _frames(curves.first, curves.centre, curves.host, curves.share, curves.guided)
+    return Stems(
+        **vars(curves), tangent=tangent, side=side, along=along,
+        narrowing=narrowing(curves.first, along, curves.radius), chains=chains,
+        stem=np.repeat(np.arange(len(curves)), np.diff(curves.first)),
+        grown=not plain and len(curves) > 0,
+    )  # fmt: skip
+
+
+Frames = tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]
+
+
+def frames(first: NDArray[np.int64], centre: NDArray[np.float64]) -> Frames:
+    """Return tangent (r, 3), side (r, 3) carried along without twist, and length along the stem (r,)."""
+    stems = len(first) - 1
+    none, free = np.full(stems, -1), np.zeros(stems, dtype=np.bool_)
+    alone: Frames = _frames(first, centre, none, np.zeros(stems), free)
+    return alone
 
 
 @njit(cache=True, nogil=True)
-def _frames(first, centre):
-    """Tangent (r, 3), side (r, 3) carried along without twist, and length along the stem (r,)."""
+def _frames(first, centre, host, share, guided):
+    """Tangent (r, 3), side (r, 3) carried along without twist, and length along the stem (r,).
+
+    A guided stem begins with the frame of its parent.
+    """
     rings = centre.shape[0]
     tangent = np.zeros((rings, 3))
     side = np.zeros((rings, 3))
@@ -51,8 +74,14 @@ def _frames(first, centre):
             norm = np.sqrt((middle**2).sum())
             tangent[i] = middle / norm if norm > 1e-6 else (after if i + 1 < high else before)
             before = after
-            t = tangent[i]
             previous = side[i - 1] if i > low else np.zeros(3)
+            if i == low and guided[stem]:
+                j = host[stem]
+                tangent[i], previous = tangent[j], side[j]
+                if share[stem] > 0:
+                    middle = tangent[j] + share[stem] * (tangent[j + 1] - tangent[j])
+                    tangent[i] = middle / np.sqrt((middle**2).sum())
+            t = tangent[i]
             straight = previous - t * (previous * t).sum()
             norm = np.sqrt((straight**2).sum())
             if norm < 1e-6:

@@ -1,13 +1,9 @@
-"""Viewer: one HTML page with the candidates in 3D beside the picture; works from disk, without a network."""
+"""Viewer: one HTML page with the trees in 3D beside and over the picture; works from disk, without a network."""
 
 from __future__ import annotations
 
-import base64
-import io
-import json
 import math
 import re
-import zipfile
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
@@ -16,100 +12,124 @@ from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
-from PIL import Image
 
-from treefit.mask import PALETTE, Mask
+from treefit.asset.page.embed import integrity, json_for_script, mask_address, packed, picture_address
+from treefit.asset.page.facts import FactTable, ParameterRow, plain_parameter, plain_table
+from treefit.asset.page.three import three_js
+from treefit.mask import Mask
+from treefit.view import place
 
-_PAGE = "viewer.html"  # beside this file; the words between double braces are filled in
-_SHOWN = 640  # longest side of the embedded picture in pixels
-_THREE_BEGINS, _THREE_ENDS = "/**\n * @license", "THREE.GLTFLoader=GLTFLoader;})();"  # trimesh's own start code follows
+_FOLDER = "viewer"  # beside this file: the page, its style and its script, which is joined from these in order
+_SCRIPTS = ("state.js", "trees.js", "wind.js", "camera.js", "scene.js", "overlay.js", "cells.js", "tables.js",
+            "parameters.js", "files.js", "controls.js", "pointer.js", "start.js")  # fmt: skip
+_PICTURE, _MASK, _THUMBNAIL = 1200, 1024, 360  # longest sides of what is embedded, in pixels
 
 
 @dataclass(frozen=True)
-class FactRow:
-    """One fact: its name, a value for each column of its table, and what it means, told when one points at it."""
+class Level:
+    """A level of detail: its triangles, and the overlap (IoU) of its silhouette with that of the first, if known."""
+
+    triangles: int
+    iou: float | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class ShownTree:
+    """One tree of the page; what is left out is not shown.
+
+    `glb` is embedded and may be saved from the page; nodes tree_LOD0, tree_LOD1 ... in it are levels of detail.
+    """
 
     name: str
-    values: Sequence[str | float]
-    meaning: str = ""
-
-
-@dataclass(frozen=True)
-class FactTable:
-    """Facts under one title; `columns` are heads of the values, `folded` shows the title only until it is clicked."""
-
-    title: str
-    rows: Sequence[FactRow]
-    columns: Sequence[str] = ()
-    folded: bool = False
+    glb: Path
+    tables: Sequence[FactTable] = ()
+    note: str = ""  # a few words under the name
+    height: float | None = None  # m, of the plant that `mask` shows; else that of the model
+    mask: Mask | None = None  # (rows, columns): the plant's height is all rows, its base the middle column
+    picture: NDArray[np.uint8] | None = None  # (h, w, 3)
+    preset: str = ""  # text of the preset's file
+    folder: str = ""  # where its files lie, relative to the page
+    levels: Sequence[Level] = ()
 
 
 def write_viewer(
     path: Path | str,
-    glbs: Sequence[tuple[str, Path, Sequence[FactTable]]],
+    trees: Sequence[ShownTree],
     picture_rgb: NDArray[np.uint8],
     mask: Mask,
+    parameters: Sequence[ParameterRow] = (),
+    title: str = "Trees fitted to a picture",
 ) -> None:
-    """Write the page to `path`: a tab for each (name, GLB file, tables) of `glbs`, the picture and mask at the side."""
-    if not glbs:
-        raise ValueError("viewer: needs one GLB file or more, got none")
-    trees = [
-        {
-            "name": name,
-            "tables": [_plain(table) for table in tables],
-            "glb": base64.b64encode(Path(file).read_bytes()).decode("ascii"),
-        }
-        for name, file, tables in glbs
-    ]
-    colours = np.array(PALETTE, dtype=np.uint8)[mask]
-    parts = {
-        "three": _three(),
-        "trees": _for_script(trees),
-        "picture": _embedded(Image.fromarray(picture_rgb), "JPEG"),
-        "mask": _embedded(Image.fromarray(colours), "PNG"),
+    """Write the page to `path`: `trees` beside and over the picture (h, w, 3) with its mask (h, w), and their facts."""
+    if not trees:
+        raise ValueError("viewer: needs one tree or more, got none")
+    facts = {
+        "title": title,
+        "picture": _placed(picture_rgb, mask),
+        "trees": [_plain(tree) for tree in trees],
+        "parameters": [plain_parameter(row) for row in parameters],
     }
-    template = resources.files("treefit.asset.page").joinpath(_PAGE).read_text(encoding="utf-8")
-    page = re.sub(r"\{\{(\w+)\}\}", lambda found: parts[found.group(1)], template)
-    Path(path).write_text(page, encoding="utf-8")
+    glbs = (f'<script class="glb" type="text/plain">{packed(Path(tree.glb).read_bytes())}</script>' for tree in trees)
+    style, script = _read("viewer.css"), _script()
+    parts = {
+        "three": three_js(),
+        "script": script,
+        "style": style,
+        "script_hashes": f"{integrity(three_js())} {integrity(script)}",
+        "style_hash": integrity(style),
+        "facts": json_for_script(facts),
+        "glbs": "\n".join(glbs),
+    }
+    page = re.sub(r"\{\{(\w+)\}\}", lambda found: parts[found.group(1)], _read("viewer.html"))
+    Path(path).write_text(page, encoding="utf-8", newline="\n")
 
 
-def _plain(table: FactTable) -> dict[str, object]:
-    rows = [{"name": row.name, "meaning": row.meaning, "values": [*map(_shown, row.values)]} for row in table.rows]
-    return {"title": table.title, "columns": [*table.columns], "folded": table.folded, "rows": rows}
+def _placed(picture_rgb: NDArray[np.uint8], mask: Mask) -> dict[str, object]:
+    """Return the picture with its mask, and where in it the tree stands, in shares of its width and height."""
+    height, width = mask.shape
+    at = place(mask) if mask.any() else None
+    return {
+        "picture": picture_address(picture_rgb, _PICTURE),
+        "mask": mask_address(mask, _MASK),
+        "ratio": picture_rgb.shape[1] / picture_rgb.shape[0],
+        "base": at.base / width if at else 0.5,
+        "top": at.top / height if at else 0.0,
+        "bottom": at.bottom / height if at else 1.0,
+        "reach": at.reach if at else 0.5 * width / height,
+    }
 
 
-def _for_script(content: object) -> str:
-    """JSON that can stand inside <script>: no character in it can end the element or begin a comment."""
-    text = json.dumps(content, allow_nan=False)
-    return text.replace("<", "\\u003c").replace(">", "\\u003e").replace("&", "\\u0026")
+def _plain(tree: ShownTree) -> dict[str, object]:
+    reach = 0.0
+    if tree.mask is not None and tree.mask.any():
+        columns = np.flatnonzero(tree.mask.any(axis=0))
+        middle = tree.mask.shape[1] / 2
+        reach = max(middle - float(columns[0]), float(columns[-1]) + 1 - middle) / tree.mask.shape[0]
+    return {
+        "name": tree.name,
+        "note": tree.note,
+        "tables": [plain_table(table) for table in tree.tables],
+        "height": tree.height,
+        "reach": reach,
+        "mask": None if tree.mask is None else mask_address(tree.mask, _MASK),
+        "picture": None if tree.picture is None else picture_address(tree.picture, _THUMBNAIL),
+        "preset": tree.preset,
+        "folder": tree.folder,
+        "glb": Path(tree.glb).name,
+        "levels": [{"triangles": level.triangles, "iou": _known(level.iou)} for level in tree.levels],
+    }
 
 
-def _shown(value: str | float) -> str:
-    """Return a fact as people read it: whole numbers in groups of three, others with three digits."""
-    if isinstance(value, str | bool):
-        return str(value)
-    if not math.isfinite(value):
-        return "-"
-    if float(value).is_integer():
-        return f"{int(value):,}"
-    return f"{value:.3f}" if abs(value) < 10 else f"{value:,.1f}"
-
-
-def _embedded(image: Image.Image, kind: str) -> str:
-    """Return `image` as a data address, at most _SHOWN pixels long."""
-    image.thumbnail((_SHOWN, _SHOWN), Image.Resampling.LANCZOS if kind == "JPEG" else Image.Resampling.BOX)
-    content = io.BytesIO()
-    image.convert("RGB").save(content, kind, quality=88)
-    return f"data:image/{kind.lower()};base64,{base64.b64encode(content.getvalue()).decode('ascii')}"
+def _known(share: float | None) -> float | None:
+    return share if share is not None and math.isfinite(share) else None
 
 
 @cache
-def _three() -> str:
-    """Return three.js with its GLTF loader, as trimesh ships it (MIT licence, kept in its first lines)."""
-    packed = resources.files("trimesh").joinpath("resources", "templates", "viewer.zip").read_bytes()
-    with zipfile.ZipFile(io.BytesIO(packed)) as archive:
-        page = archive.read("viewer.html.template").decode("utf-8")
-    begin, end = page.find(_THREE_BEGINS), page.find(_THREE_ENDS)
-    if begin < 0 or end < 0:
-        raise RuntimeError("trimesh's viewer template holds no three.js with a GLTF loader")
-    return page[begin : end + len(_THREE_ENDS)]
+def _script() -> str:
+    parts = "\n".join(_read(name) for name in _SCRIPTS)
+    return f'"use strict";\n(function () {{\n{parts}\n}}());\n'
+
+
+@cache
+def _read(name: str) -> str:
+    return resources.files("treefit.asset.page").joinpath(_FOLDER, name).read_text(encoding="utf-8")

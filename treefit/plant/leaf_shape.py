@@ -1,0 +1,43 @@
+"""Leaf shape: the outline that the leaves of a plant get, by its look and how large they are."""
+
+from __future__ import annotations
+
+from typing import cast
+
+import numpy as np
+
+from treefit.plant.look import SPRIGS, LeafShape
+from treefit.plant.plant import Plant
+
+SLENDER = 0.25
+"""Width by length of leaves under which they are taken for needles."""
+
+LARGE, LARGE_SHARE = 0.2, 1 / 40
+"""Length of leaves, in m and by the plant's height, over which they are taken for sprigs when it is over both.
+
+Ordinary leaves are no longer than the first; on trees as tall as the second asks nobody sees that they are.
+"""
+
+
+def leaf_shape_of(wanted: str, plant: Plant) -> str:
+    """Return the leaf shape that is `wanted`; "auto" is that of the plant's look, without one by its leaves.
+
+    Slender leaves stand for twigs of needles, all others are broad; those too large for a leaf stand for sprigs.
+    """
+    if wanted != "auto":
+        return wanted
+    shape = plant.look.leaf_shape if plant.look is not None else None
+    if shape is None:
+        shape = "tuft" if _is_slender(plant) else "broad"
+    return SPRIGS[cast(LeafShape, shape)] if shape in SPRIGS and _is_large(plant) else shape
+
+
+def _is_slender(plant: Plant) -> bool:
+    length, width = plant.leaf_size.sum(axis=0)
+    return bool(width < SLENDER * length)
+
+
+def _is_large(plant: Plant) -> bool:
+    if not plant.n_leaves:
+        return False
+    return bool(np.median(plant.leaf_size[:, 0]) > max(LARGE, LARGE_SHARE * plant.position[:, 2].max(initial=0)))
