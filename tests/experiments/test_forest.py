@@ -93,7 +93,8 @@ def test_seeds_that_have_no_tree_at_all_are_an_error(tmp_path: Path, monkeypatch
 
 
 def test_grow_makes_variations_and_lists_their_files(tmp_path: Path) -> None:
-    settings = ["task=grow", "seeds=4..5", "values={levels: 2, branch_count_0: 6}", "asset.picture_size=64"]
+    settings = ["task=grow", "seeds=4..5", "values={levels: 2, branch_count_0: 6}", "asset.picture_size=64",
+                "asset.turntable=0", "asset.texture_size=64"]  # fmt: skip
     done = finish(tmp_path, f"hydra.run.dir={tmp_path / 'run'}", *settings)
     facts = json.loads(done.stdout.splitlines()[-1])
     assert list(facts["trees"]) == ["4", "5"]

@@ -73,7 +73,7 @@ def test_the_preset_is_checked_before_anything_runs() -> None:
 
 def test_grow_takes_a_preset_by_name_on_another_seed(tmp_path: Path) -> None:
     done = finish(tmp_path, "hydra.run.dir=out", "task=grow", "generator=weberpenn", "preset=quaking_aspen", "seed=8",
-                  "asset.picture_size=64", "values={levels: 2}")  # fmt: skip
+                  "asset.picture_size=64", "asset.lods=[]", "asset.turntable=0", "values={levels: 2}")  # fmt: skip
     assert done.stderr == ""
     facts = json.loads(done.stdout.splitlines()[-1])
     assert (facts["seed"], facts["generator"]) == (8, "weberpenn")

@@ -28,7 +28,8 @@ from treefit.similarity import Mix
 from treefit.view import OrthographicView
 
 SMALL = ["tracking=none", "optimizer.evaluations=200", "optimizer.generations=10", "characteristics.vertices=400",
-         "view.resolution=64", "other_seeds=0", "candidates.count=1", "asset.picture_size=64"]  # fmt: skip
+         "view.resolution=64", "other_seeds=0", "candidates.count=1", "asset.picture_size=64",
+         "asset.texture_size=64", "asset.turntable=0", "asset.lods=[]"]  # fmt: skip
 
 
 @pytest.fixture(autouse=True)

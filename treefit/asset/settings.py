@@ -37,7 +37,7 @@ class AssetSettings:
     """Shape, materials, levels of detail and files of an exported plant, and its pictures; colours are sRGB."""
 
     sides: Annotated[int, Field(ge=3, le=32)] = 7  # corners of the thickest stem
-    leaf_outline: Outline = "auto"  # auto: the one that the generator gave the plant, else by the leaf's proportions
+    leaf_outline: Outline = "auto"  # auto: the one that the generator gave the plant, else by the leaf's size
     leaf_fold: Annotated[float, Field(ge=0, le=60)] = 18.0  # degrees each half is raised
     colours: Literal["from_image", "own"] = "from_image"  # where colours that are not given come from
     bark: Annotated[Colour | None, BeforeValidator(_colour)] = None

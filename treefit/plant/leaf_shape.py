@@ -13,9 +13,9 @@ SLENDER = 0.25
 """Width by length of leaves under which they are taken for needles."""
 
 LARGE, LARGE_SHARE = 0.2, 1 / 40
-"""Length of leaves, in m and by the plant's height, over which they are taken for sprigs when it is over both.
+"""Leaves longer than both, in m and by the plant's height, are taken for sprigs.
 
-Ordinary leaves are no longer than the first; on trees as tall as the second asks nobody sees that they are.
+Hardly a tree has leaves over the first; under the second they look like leaves, however long.
 """
 
 
@@ -38,6 +38,6 @@ def _is_slender(plant: Plant) -> bool:
 
 
 def _is_large(plant: Plant) -> bool:
-    if not plant.n_leaves:
-        return False
-    return bool(np.median(plant.leaf_size[:, 0]) > max(LARGE, LARGE_SHARE * plant.position[:, 2].max(initial=0)))
+    """Whether more than half of the leaves are."""
+    limit = max(LARGE, LARGE_SHARE * float(plant.position[:, 2].max(initial=0)))
+    return bool(2 * np.count_nonzero(plant.leaf_size[:, 0] > limit) > plant.n_leaves)

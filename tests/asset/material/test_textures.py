@@ -15,6 +15,7 @@ from treefit.asset.material.texture import CUTOFF, Drawing, Textures, textures_o
 from treefit.asset.mesh.leaf_outline import leaf_card
 from treefit.asset.settings import BarkKind
 from treefit.plant import LEAF_SHAPES
+from treefit.plant.look import SPRIGS
 
 KINDS = [kind for kind in get_args(BarkKind) if kind != "auto"]
 COLOURS: list[Colour] = [(112, 88, 68), (221, 119, 63), (215, 208, 196), (20, 24, 18), (255, 255, 255), (0, 0, 0)]
@@ -131,14 +132,27 @@ def test_colours_go_on_beyond_the_alpha(shape: str) -> None:
     assert np.abs(inner - outer).max() < 40
 
 
+@pytest.mark.parametrize("shape", SPRIGS.values())
+def test_a_sprig_is_leaves_on_a_twig_of_wood(shape: str) -> None:
+    base = leaf_textures(shape, 256).base
+    red, green, _, alpha = base.astype(float).transpose(2, 0, 1)
+    there = alpha >= 255 * CUTOFF
+    twig = there & (np.indices(there.shape)[0] > 0.92 * 256)
+    assert twig.any()
+    assert np.median((red / green)[twig]) > 1.2 * np.median((red / green)[there])
+    leaves = there & ~binary_dilation(twig, iterations=3)
+    inner = np.array([np.diff(np.flatnonzero(row)).max(initial=1) for row in leaves])
+    assert (inner > 1).sum() > 20  # there are gaps between leaves
+
+
 @pytest.mark.parametrize("size", [1, 64, 100])
 def test_textures_have_the_size_that_is_asked_for(size: int) -> None:
-    for textures in (bark_textures("plated", size), leaf_textures("tuft", size), leaf_textures("oak", size)):
+    for textures in (bark_textures("plated", size), *(leaf_textures(one, size) for one in ("tuft", "oak", "sprig"))):
         assert textures.base.shape[:2] == textures.normal.shape[:2] == textures.roughness.shape == (size, size)
 
 
 def test_the_same_texture_has_the_same_bytes() -> None:
-    for make, name in ((bark_textures, "furrowed"), (leaf_textures, "tuft")):
+    for make, name in ((bark_textures, "furrowed"), (leaf_textures, "tuft"), (leaf_textures, "sprig")):
         one, two = make(name, SIZE), make.__wrapped__(name, SIZE)
         for part in ("base", "normal", "roughness"):
             assert getattr(one, part).tobytes() == getattr(two, part).tobytes()
