@@ -42,7 +42,7 @@ def _files() -> None:
     with TemporaryDirectory() as folder:
         write_glb(tree, Path(folder) / "tree.glb", AssetSettings())
     picture(tree, AssetSettings(picture_size=64))
-    levels_of(tree, AssetSettings(texture_size=64, lods=(0.4, "billboard")))
+    levels_of(tree, AssetSettings(texture_size=64, lods=(0.4, 0.1, "billboard")))
 
 
 def _generators_view_and_similarities() -> None:

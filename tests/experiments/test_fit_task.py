@@ -109,7 +109,7 @@ def test_grow_takes_the_preset_back_and_makes_the_same_tree(done: Path) -> None:
     preset = done / "candidates" / "1" / "preset.yaml"
     fitted = json.loads((done / "summary.json").read_text(encoding="utf-8"))
     kept = fitted["candidates"][0]
-    told = run(folder, "task=grow", f"preset={preset}")
+    told = run(folder, "task=grow", f"preset={preset}", "asset.texture_size=64", "asset.turntable=0")
     facts = json.loads(told.stdout.splitlines()[-1])
     assert (facts["vertices"], facts["leaves"], facts["height_m"]) == (
         kept["vertices"],

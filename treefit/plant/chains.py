@@ -58,15 +58,10 @@ def chains_of(plant: Plant) -> JoinedChains:
 Cut = tuple[NDArray[np.int64], NDArray[np.int64], NDArray[np.int64]]
 
 
-def ring_vertices(plant: Plant) -> Cut:
-    """Return `first` (s + 1,) as in Chains, the vertex (r,) at each ring and the vertex (r,) whose segment it is of."""
-    return _cut(plant, _position(plant), np.ascontiguousarray(plant.parent), _size(plant))[0]
-
-
 def _cut(
     plant: Plant, position: NDArray[np.float64], parent: NDArray[np.int32], size: float
 ) -> tuple[Cut, NDArray[np.int64], NDArray[np.int64]]:
-    """Return what `ring_vertices` does, the ring (v,) of each vertex and the seats (v,)."""
+    """Return `first` (s + 1,), vertices (r,) at rings, vertices (r,) whose segments they are of; rings, seats (v,)."""
     level = np.ascontiguousarray(plant.level)
     seat = seats(parent, level, position, ON_AXIS * size)
     first, vertex, owner, ring = _chains(parent, _following(parent, level), seat, position, SHORTEST * size)

@@ -39,17 +39,6 @@ def stems_of(plant: Plant, plain: bool = False) -> Stems:
     )  # fmt: skip
 
 
-Frames = tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]
-
-
-def frames(first: NDArray[np.int64], centre: NDArray[np.float64]) -> Frames:
-    """Return tangent (r, 3), side (r, 3) carried along without twist, and length along the stem (r,)."""
-    stems = len(first) - 1
-    none, free = np.full(stems, -1), np.zeros(stems, dtype=np.bool_)
-    alone: Frames = _frames(first, centre, none, np.zeros(stems), free)
-    return alone
-
-
 @njit(cache=True, nogil=True)
 def _frames(first, centre, host, share, guided):
     """Tangent (r, 3), side (r, 3) carried along without twist, and length along the stem (r,).
