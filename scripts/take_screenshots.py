@@ -1,6 +1,6 @@
 """Pictures of the program's pages for the README: makes a few runs of the example pictures and looks at them.
 
-    python -m scripts.take_screenshots [--evaluations 4000] [--folder experiments/figures]
+    python -m scripts.take_screenshots [--evaluations 10000] [--folder experiments/figures]
 
 Needs Chromium; takes some three minutes on two cores.
 """
@@ -52,7 +52,7 @@ def _take_all(scratch: Path, evaluations: int, folder: Path) -> None:
         _watch(browser, scratch / "watched", folder, evaluations, *common)
         print(f"a sweep of six runs, {evaluations:,} evaluations each ...", flush=True)
         _run(*SWEEP, *common, f"hydra.sweep.dir={scratch / 'sweep'}").wait()
-        run = scratch / "sweep" / "1_weberpenn_pine"
+        run = max(sorted((scratch / "sweep").glob("*_pine")), key=_candidates)
         said = take(browser, Page("page_viewer.png", (run / "viewer.html").as_uri(), CANVAS, (1280, 860), 5), folder)
         _say(said)
         with Server(store, scratch / "server.log") as server:
@@ -77,6 +77,11 @@ def _watch(browser: HeadlessBrowser, run: Path, folder: Path, evaluations: int, 
         process.wait()
 
 
+def _candidates(run: Path) -> int:
+    """Trees that a run ended with."""
+    return len([*run.glob("candidates/*/tree.glb")])
+
+
 def _tried(history: Path) -> int:
     """Evaluations that a run has done."""
     lines = history.read_text(encoding="utf-8").split("\n")[:-1] if history.is_file() else []
@@ -93,7 +98,7 @@ def _pages(address: str, sweep: Path, run: Path) -> list[Page]:
     if runs is None or one is None or parent is None:
         raise BrowserError("the runs were not kept: see what they said above")
     glance = "document.querySelector('img[src*=glance]')?.complete"
-    table = "document.querySelectorAll('img[src^=blob], img[src*=table_images]').length > 2"
+    table = "document.querySelectorAll('img[src^=blob], img[src*=table_images]').length > 0"
     return [
         Page("mlflow_runs.png", runs, "document.querySelector('[data-component-id*=runnamecellrenderer]')", (1380, 640),
              then=UNFOLD),
@@ -116,7 +121,7 @@ def _say(file: Path) -> None:
 
 def _options() -> argparse.Namespace:
     parser = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
-    parser.add_argument("--evaluations", type=int, default=4000, help="of every run")
+    parser.add_argument("--evaluations", type=int, default=10000, help="of every run")
     parser.add_argument("--folder", type=Path, default=ROOT / "experiments" / "figures", help="where pictures go")
     return parser.parse_args()
 
