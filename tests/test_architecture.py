@@ -4,8 +4,6 @@ import ast
 from functools import cache
 from pathlib import Path
 
-import pytest
-
 ROOT = Path(__file__).parents[1]
 ROOMS = ("treefit", "generators", "experiments", "scripts", "tests")
 FILES = sorted(path for room in ROOMS for path in (ROOT / room).rglob("*.py") if "node_modules" not in path.parts)
@@ -100,13 +98,19 @@ def test_nothing_imports_the_entry_or_the_tests() -> None:
     forbid([path for path in FILES if not name(path).startswith("tests/")], "run", "tests")
 
 
-@pytest.mark.parametrize("path", FILES, ids=name)
-def test_file_has_one_idea(path: Path) -> None:
-    text = path.read_text(encoding="utf-8")
-    assert len(text.splitlines()) <= LONGEST
-    assert path.stem not in BANNED_NAMES
+def test_every_file_has_one_idea() -> None:
+    assert {name(path): fault for path in FILES if (fault := _fault(path))} == {}
+
+
+def _fault(path: Path) -> str:
+    """What a file has that none should, "" when it is fine."""
     tree = parsed(path)
-    if not name(path).startswith("tests/"):
-        assert ast.get_docstring(tree), "a file begins with a sentence on its place"
-    calls = [ast.unparse(node.func) for node in ast.walk(tree) if isinstance(node, ast.Call)]
-    assert [call for call in calls if call in BANNED_CALLS] == []
+    calls = {ast.unparse(node.func) for node in ast.walk(tree) if isinstance(node, ast.Call)} & set(BANNED_CALLS)
+    faults = {
+        f"is longer than {LONGEST} lines": len(path.read_text(encoding="utf-8").splitlines()) > LONGEST,
+        "has a name that says nothing": path.stem in BANNED_NAMES,
+        "does not begin with a sentence on its place": not name(path).startswith("tests/")
+        and not ast.get_docstring(tree),
+        f"calls {', '.join(calls)}": bool(calls),
+    }
+    return "; ".join(words for words, there in faults.items() if there)

@@ -18,7 +18,8 @@ from tests.experiments.program import RUN, Done, finish
 
 SMALL = ["image=pine.png", "tracking=none", "optimizer.evaluations=1500", "optimizer.generations=10",
          "characteristics.vertices=400", "view.resolution=64", "other_seeds=2", "candidates.within=0.5",
-         "asset.picture_size=64", "asset.texture_size=64", "asset.turntable=2"]  # fmt: skip
+         "asset.picture_size=64", "asset.texture_size=64", "asset.turntable=2",
+         "asset.lods=[1.0,0.3]"]  # fmt: skip
 FILES = ("candidates/1/preset.yaml", "candidates/3/preset.yaml", "candidates/2/mask.png", "candidates/1/tree.glb",
          "score_curve.png", "best_strip.png")  # fmt: skip
 
