@@ -51,6 +51,7 @@ def test_a_generator_of_plain_python_goes_to_processes(objective: Objective) -> 
     assert Evaluator().backend(objective) == "threads"
 
 
+@pytest.mark.slow
 def test_a_dying_worker_costs_only_its_candidates(objective: Objective, genomes: np.ndarray) -> None:
     dying = replace(objective, generator=Failing(0.2, "exit", "processes"))
     few = genomes[:6]

@@ -87,6 +87,7 @@ def test_the_same_seed_gives_the_same_bytes_on_two_workers(done: Path) -> None:
     assert result(other) == result(done)
 
 
+@pytest.mark.slow
 def test_a_killed_run_goes_on_to_the_same_bytes(done: Path) -> None:
     folder = done.parent / "killed"
     command = [sys.executable, str(RUN), f"hydra.run.dir={folder}", *SMALL, "live=true"]

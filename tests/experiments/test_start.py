@@ -125,6 +125,7 @@ def test_a_memory_that_cannot_be_written_or_read_costs_one_line(caplog: pytest.L
     assert [line.getMessage().partition(": ")[0] for line in caplog.records] == ["memory", "memory"]
 
 
+@pytest.mark.slow
 def test_a_second_fit_begins_where_the_first_one_ended(tmp_path: Path) -> None:
     def run(folder: str, *more: str) -> float:
         finish(tmp_path, f"hydra.run.dir={folder}", "image=pine.png", *SMALL, *more)

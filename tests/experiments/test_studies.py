@@ -40,6 +40,7 @@ def _no_gl(monkeypatch: pytest.MonkeyPatch) -> None:
         monkeypatch.setattr(module, "gl_missing", lambda: MISSING)
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("_no_gl")
 def test_fidelity_writes_what_it_found_and_passes_over_missing_libraries(tmp_path: Path) -> None:
     told = run(tmp_path, "task=fidelity", "fidelity.plants=20", "fidelity.rows=[64]")
@@ -51,6 +52,7 @@ def test_fidelity_writes_what_it_found_and_passes_over_missing_libraries(tmp_pat
     assert kept["view"][0]["spearman_least"] <= kept["view"][0]["spearman"] <= 1
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("_no_gl")
 def test_speed_study_writes_its_table_and_plot_to_the_run_folder(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
@@ -64,6 +66,7 @@ def test_speed_study_writes_its_table_and_plot_to_the_run_folder(
     assert (tmp_path / "out" / "speed.png").stat().st_size > 10_000
 
 
+@pytest.mark.slow
 def test_benchmark_tells_every_part_of_an_evaluation(monkeypatch: pytest.MonkeyPatch) -> None:
     for name, less in {"TREES": 2, "BATCHES": 1, "LARGE_TREES": 1}.items():
         monkeypatch.setattr(benchmark, name, less)

@@ -33,6 +33,7 @@ def test_60_megapixels_are_refused(tmp_path: Path) -> None:
         read_picture(tmp_path / "large.png")
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(sys.platform == "win32", reason="has no getrusage")
 def test_40_megapixels_are_masked_within_2_gibibytes(tmp_path: Path) -> None:
     image = Image.fromarray(scene().rgb).crop((0, 0, 200, 300)).resize((5_160, 7_740), Image.Resampling.NEAREST)

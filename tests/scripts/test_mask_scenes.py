@@ -9,6 +9,8 @@ from scripts.mask_training.scenery.labels import closed, large, person_labels
 from scripts.mask_training.scenery.render import Layer
 from treefit.mask import BACKGROUND, BRANCH, FOLIAGE, check_mask
 
+pytestmark = pytest.mark.slow
+
 SIZE = 96
 FIRST = {kind: next(index for index in range(2000) if kind_of(0, index) == kind) for kind in KINDS}
 

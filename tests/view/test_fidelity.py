@@ -23,6 +23,7 @@ UNCUT = [name for name in GENERATORS if name != "weberpenn_full"]
 """Of the random plants of the other one nearly all are cut."""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", UNCUT)
 def test_scores_and_pixels_are_those_of_an_exact_view(name: str, pictures: list[Mask]) -> None:
     similarities = {"paper": PaperSimilarity(), "treefit": Mix()}

@@ -37,6 +37,7 @@ def red_share(file) -> float:
     return float(((pixels[..., 0] > 120) & (pixels[..., 1:].max(axis=2) < 0.5 * pixels[..., 0])).mean())
 
 
+@pytest.mark.slow
 def test_200_hostile_names_are_shown_and_do_nothing(glb, tmp_path):
     trees = [named(name, glb) for name in NAMES]
     rows = [ParameterRow(name, [name] * len(NAMES), [None] * len(NAMES), name, name) for name in NAMES[:5]]
@@ -55,6 +56,7 @@ def test_200_hostile_names_are_shown_and_do_nothing(glb, tmp_path):
     assert len(re.findall(r"<(?:svg|iframe|textarea)\b", page.split('id="facts"')[0])) == 0
 
 
+@pytest.mark.slow
 def test_textures_show_in_a_sandboxed_frame(glb, tmp_path):
     """As mlflow's pane is: scripts run, but from no origin, and nothing may be fetched."""
     write_viewer(tmp_path / "v.html", [ShownTree("a", glb, mask=MASK)], PICTURE, MASK)
