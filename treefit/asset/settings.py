@@ -17,6 +17,10 @@ Detail = Annotated[float, Field(gt=0, le=1)] | Annotated[int, Field(ge=2)] | Lit
 """A share of the triangles of the whole model, a count of triangles, or crossed cards."""
 
 
+SMALLEST_TEXTURE = 64
+"""Pixels of the side of a texture that still shows what it is of."""
+
+
 def _colour(value: object) -> Colour | None:
     return None if value is None else parse_colour(value)
 
@@ -32,6 +36,12 @@ def _descending(lods: tuple[Detail, ...]) -> tuple[Detail, ...]:
     return lods
 
 
+def _power_of_two(size: int) -> int:
+    if size and (size < SMALLEST_TEXTURE or size & (size - 1)):
+        raise ValueError(f"must be 0 or a power of two from {SMALLEST_TEXTURE} to 2048, got {size}")
+    return size
+
+
 @dataclass(frozen=True, config=ConfigDict(extra="forbid"))
 class AssetSettings:
     """Shape, materials, levels of detail and files of an exported plant, and its pictures; colours are sRGB."""
@@ -43,7 +53,7 @@ class AssetSettings:
     bark: Annotated[Colour | None, BeforeValidator(_colour)] = None
     leaf: Annotated[Colour | None, BeforeValidator(_colour)] = None
     bark_kind: BarkKind = "auto"
-    texture_size: Annotated[int, Field(ge=0, le=2048)] = 512  # pixels of a texture's side, 0: plain colours
+    texture_size: Annotated[int, Field(ge=0, le=2048), AfterValidator(_power_of_two)] = 512  # pixels, 0: plain colours
     vertex_colours: Literal["occlusion", "wind"] = "occlusion"  # what COLOR_0 holds; the other one is COLOR_1
     lods: Annotated[tuple[Detail, ...], AfterValidator(_descending)] = (1.0, 0.4, 0.15, "billboard")
     formats: tuple[Format, ...] = ()  # besides GLB

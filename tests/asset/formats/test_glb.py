@@ -75,7 +75,16 @@ def test_leaves_without_a_direction_are_refused(tree, tmp_path):
 
 
 @pytest.mark.parametrize(
-    "bad", [{"sides": 2}, {"bark": "brownish"}, {"leaf": [1, 2]}, {"leaf_outline": "elm"}, {"side": 7}]
+    "bad",
+    [
+        {"sides": 2},
+        {"bark": "brownish"},
+        {"leaf": [1, 2]},
+        {"leaf_outline": "elm"},
+        {"side": 7},
+        {"texture_size": 500},
+        {"texture_size": 32},
+    ],
 )
 def test_bad_settings_are_refused(bad):
     with pytest.raises(ValidationError):
