@@ -12,12 +12,12 @@ from experiments.errors import UserError
 from treefit.fit import aim
 from treefit.mask import FOLIAGE, Mask
 from treefit.objective import Objective, View
+from treefit.placing import place
 from treefit.plant import Generator, Plant, check_plant
 from treefit.plant.bounds import Bounds
 from treefit.plant.characteristics import Characteristics
 from treefit.similarity import Similarity
 from treefit.view import Frame
-from treefit.view.frame import place
 
 STREAM, GROWTH_SEED = 6006, 1_000_000
 """Keep the draws of hidden plants, and the seeds that they grow on, apart from those of any search."""

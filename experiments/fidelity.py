@@ -22,10 +22,10 @@ from experiments.view_fidelity import REFERENCE_ROWS, Agreement, measure, random
 from treefit.image import AutoMask, read_picture
 from treefit.mask import Mask
 from treefit.objective import View
+from treefit.opengl import gl_missing
 from treefit.plant import Generator
 from treefit.similarity import Similarity
 from treefit.view import Frame
-from treefit.view.gl import gl_missing
 
 GATE_ROWS, SPEARMAN, BEST_HALF, PIXELS = 128, 0.97, 0.93, 0.02
 """What a view must reach at GATE_ROWS: the two correlations, and pixels of a class at most that far from 1."""

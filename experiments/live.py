@@ -24,8 +24,8 @@ from treefit.asset import AssetSettings
 from treefit.asset.formats.whole_file import write_whole
 from treefit.improvements import Improvement
 from treefit.objective import Objective
+from treefit.placing import place
 from treefit.progress import Generation
-from treefit.view.frame import place
 
 BETWEEN = 2.0
 """Seconds between two states of the page at least."""

@@ -8,9 +8,10 @@ from dataclasses import dataclass
 from experiments.opencv_view import CORNERS, opencv_mask, opencv_missing
 from experiments.zbuffer_view import ellipse, zbuffer_mask
 from treefit.mask import Mask
+from treefit.opengl import gl_missing
 from treefit.plant import Plant
 from treefit.view import Frame
-from treefit.view.gl import gl_mask, gl_missing
+from treefit.view.gl import gl_mask
 
 
 @dataclass(frozen=True)

@@ -14,7 +14,7 @@ from experiments.pictures import EXAMPLES, examples
 from treefit.image import read_picture
 from treefit.image.read import read_mask_file
 from treefit.mask import Mask
-from treefit.view.frame import place
+from treefit.placing import place
 
 
 def read_targets(pattern: str | None, extractor: DictConfig, setting: str = "similarities.masks") -> dict[str, Mask]:

@@ -10,9 +10,9 @@ from experiments.sheet_cells import mask_panel
 from treefit.asset import AssetSettings, TreeColours, picture
 from treefit.asset.pictures.frame import BASE_SHARE, TREE_SHARE, Frame
 from treefit.mask import PALETTE, Mask
+from treefit.placing import place
 from treefit.plant import Plant
 from treefit.plant.extent import Extent, extent_of
-from treefit.view.frame import place
 
 Picture = NDArray[np.uint8]  # (h, w, 3) sRGB
 Panels = tuple[Picture, Picture]  # the picture and the mask

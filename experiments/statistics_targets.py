@@ -13,8 +13,9 @@ from generators.gegen import gegen
 from generators.simplegen import SimpleGen
 from generators.weberpenn import WeberPennGen
 from treefit.mask import FOLIAGE, Mask
+from treefit.placing import place
 from treefit.plant import Budget, Generator
-from treefit.view import Frame, OrthographicView, place
+from treefit.view import Frame, OrthographicView
 
 ROWS = 256
 PLANTS, DRAWN = (500, 8000), (1000, 6000)

@@ -72,6 +72,11 @@ def test_the_search_knows_nothing_of_the_rest() -> None:
     assert foreign == set()
 
 
+def test_models_and_files_know_nothing_of_views_and_searches() -> None:
+    above = ("view", "similarity", "search", "family", "image", "tracking", "objective", "evaluation", "fit")
+    forbid(within("treefit/asset/"), *(f"treefit.{room}" for room in above))
+
+
 def test_only_one_room_knows_each_foreign_system() -> None:
     code = [path for path in FILES if not name(path).startswith("tests/")]
     forbid([path for path in code if not name(path).startswith("treefit/tracking/")], "mlflow")

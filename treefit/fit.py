@@ -24,6 +24,7 @@ from treefit.improvements import Improvement
 from treefit.listeners import Listeners, OnGeneration, OnImprovement
 from treefit.mask import Mask, check_mask
 from treefit.objective import Objective, Score, View
+from treefit.placing import place
 from treefit.plant import Budget, Generator, Values
 from treefit.plant.characteristics import Characteristics
 from treefit.progress import Generation, Progress
@@ -32,7 +33,6 @@ from treefit.runners_up import MOST, RunnersUp, Told
 from treefit.search import CMAES, Hints, Optimizer, Strategy
 from treefit.similarity import Mix, Similarity
 from treefit.view import BitMask, OrthographicView, frame_for, sample
-from treefit.view.frame import place
 
 PATIENCE = 3
 """Generations without a single score after which a search gives up."""

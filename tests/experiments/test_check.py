@@ -7,7 +7,7 @@ from omegaconf import OmegaConf
 from experiments.build import build
 from experiments.check import CONFIG_FOLDER, check, check_names
 from experiments.errors import UserError
-from treefit.view.gl import gl_missing
+from treefit.opengl import gl_missing
 
 
 @pytest.fixture(autouse=True)

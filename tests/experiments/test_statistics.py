@@ -26,8 +26,8 @@ from treefit.family.batch import grow_batch
 from treefit.family.identity import FamilyError, fingerprint
 from treefit.family.statistics import Statistics, find_statistics
 from treefit.mask import BRANCH, FOLIAGE
+from treefit.placing import place
 from treefit.similarity import Mix, PaperSimilarity
-from treefit.view import place
 
 SMALL = ["task=statistics", "statistics.targets=4", "statistics.plants=50", "statistics.fresh=20", "statistics.steps=3",
          "view.resolution=64", "evaluator.workers=2"]  # fmt: skip

@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 
 from tests.conftest import blob
-from treefit.view import Frame, frame_for, place, sample
+from treefit.placing import place
+from treefit.view import Frame, frame_for, sample
 
 
 def test_a_tree_is_found_by_its_trunk_base() -> None:

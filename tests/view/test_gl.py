@@ -7,8 +7,9 @@ import sys
 import numpy as np
 import pytest
 
+from treefit.opengl import gl_missing
 from treefit.plant import Plant
-from treefit.view.gl import gl_mask, gl_missing
+from treefit.view.gl import gl_mask
 
 needs_gl = pytest.mark.skipif(gl_missing() is not None, reason=str(gl_missing()))
 
@@ -43,7 +44,7 @@ def test_a_leaf_is_seen_from_behind_too():
 
 
 def test_what_is_missing_is_said_in_one_line_without_a_crash():
-    code = "from treefit.view.gl import gl_missing; import sys; sys.stderr.write(str(gl_missing()))"
+    code = "from treefit.opengl import gl_missing; import sys; sys.stderr.write(str(gl_missing()))"
     place = os.environ | {"PYOPENGL_PLATFORM": "osmesa"}
     done = subprocess.run([sys.executable, "-c", code], env=place, capture_output=True, text=True, check=True)
     assert done.stdout == ""

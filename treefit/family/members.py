@@ -13,10 +13,11 @@ from numpy.typing import NDArray
 from treefit.family.features import features
 from treefit.mask import Mask
 from treefit.objective import REDUCE, View
+from treefit.placing import place
 from treefit.plant import Budget, Generator, Genome, ParameterSpace, check_plant
 from treefit.plant.characteristics import Characteristics
 from treefit.similarity import Similarity
-from treefit.view.frame import BitMask, Frame, frame_for, place, sample
+from treefit.view.frame import BitMask, Frame, frame_for, sample
 
 
 @dataclass(frozen=True, eq=False)

@@ -1,6 +1,6 @@
 """A plant becomes a mask."""
 
-from treefit.view.frame import BitMask, Frame, frame_for, place, sample
+from treefit.view.frame import BitMask, Frame, frame_for, sample
 from treefit.view.orthographic import OrthographicView
 
-__all__ = ["BitMask", "Frame", "OrthographicView", "frame_for", "place", "sample"]
+__all__ = ["BitMask", "Frame", "OrthographicView", "frame_for", "sample"]

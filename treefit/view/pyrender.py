@@ -7,9 +7,10 @@ from typing import ClassVar
 from pydantic import ConfigDict, Field
 from pydantic.dataclasses import dataclass
 
+from treefit.opengl import gl_missing
 from treefit.plant import Plant
 from treefit.view.frame import BitMask, Frame
-from treefit.view.gl import gl_mask, gl_missing
+from treefit.view.gl import gl_mask
 
 
 @dataclass(frozen=True, config=ConfigDict(extra="forbid"))

@@ -9,7 +9,7 @@ from tests.asset.conftest import make_tree
 from treefit.asset import AssetSettings, picture
 from treefit.asset.pictures import gl_picture
 from treefit.asset.pictures.picture import check_renderer
-from treefit.view.gl import gl_missing
+from treefit.opengl import gl_missing
 
 SETTINGS = AssetSettings(renderer="pyrender", texture_size=64)
 needs_gl = pytest.mark.skipif(gl_missing() is not None, reason=str(gl_missing()))

@@ -17,7 +17,7 @@ from treefit.asset.page.embed import integrity, json_for_script, mask_address, p
 from treefit.asset.page.facts import FactTable, ParameterRow, plain_parameter, plain_table
 from treefit.asset.page.three import three_js
 from treefit.mask import Mask
-from treefit.view import place
+from treefit.placing import place
 
 _FOLDER = "viewer"  # beside this file: the page, its style and its script, which is joined from these in order
 _SCRIPTS = ("state.js", "trees.js", "wind.js", "camera.js", "scene.js", "overlay.js", "cells.js", "tables.js",

@@ -20,7 +20,7 @@ from treefit.asset.pictures.frame import Frame
 from treefit.asset.pictures.light import SUN, sun_map
 from treefit.asset.pictures.scene import scene_of
 from treefit.asset.pictures.thicken import thickened
-from treefit.view.gl import front_pose, gl_missing, gl_renderer
+from treefit.opengl import front_pose, gl_missing, gl_renderer
 
 Picture = NDArray[np.uint8]  # (h, w, 3) sRGB
 Floats = NDArray[np.float32]
