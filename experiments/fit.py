@@ -23,7 +23,7 @@ from experiments.search_story import write_search_story
 from experiments.settings import Candidates, read_settings
 from experiments.summary import summary
 from experiments.sweep_parent import parent_run
-from experiments.terminal import Progress, print_live, print_results
+from experiments.terminal import Progress, patience, print_live, print_results
 from experiments.tracked import standing, start_tracking, track_result
 from experiments.viewer_page import write_page
 from experiments.where_to_browse import where_to_browse
@@ -86,7 +86,8 @@ def _fit_and_write(
     live.searched()
     found = result.candidates
     remember(read_settings(cfg).memory, generator, tree.extraction.mask, found[0])
-    files = write_candidates(folder, found, generator, asset, tree.colours)
+    with patience("writing the trees and their pictures; the first time this compiles kernels too, some 25 s"):
+        files = write_candidates(folder, found, generator, asset, tree.colours)
     meshes = [each.counts for each in files]
     write_sheets(folder, tree, found, meshes, f"{tree.name} by {generator.name}")
     write_search_story(folder, result, tree, asset, f"{tree.name} by {generator.name}")

@@ -6,6 +6,7 @@ import logging
 import shlex
 import time
 from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 from threading import Timer
 from types import TracebackType
@@ -74,6 +75,19 @@ class Progress:
     def _explain_silence(self) -> None:
         line = "growing the first trees; the first run on a machine also compiles its kernels, some 25 s"
         self.console.print(line, highlight=False, soft_wrap=True)
+
+
+@contextmanager
+def patience(line: str, console: Console | None = None, silence: float = SECONDS_OF_SILENCE) -> Iterator[None]:
+    """Say `line` once when what is done within takes longer than `silence` seconds."""
+    console = console or Console(stderr=True)
+    timer = Timer(silence, lambda: console.print(line, highlight=False, soft_wrap=True))
+    timer.daemon = True
+    timer.start()
+    try:
+        yield
+    finally:
+        timer.cancel()
 
 
 def counted(items: Sequence[Item], what: str, console: Console | None = None) -> Iterator[Item]:

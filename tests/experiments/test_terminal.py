@@ -1,11 +1,12 @@
 import io
 import logging
+import time
 from pathlib import Path
 
 import pytest
 from rich.console import Console
 
-from experiments.terminal import OneLine, Progress, counted, print_live, print_results, print_sweep, time_left
+from experiments.terminal import OneLine, Progress, counted, patience, print_live, print_results, print_sweep, time_left
 
 
 def test_progress_draws_a_bar_on_a_terminal() -> None:
@@ -100,3 +101,15 @@ def test_what_is_counted_comes_through_and_lines_tell_of_it_now_and_then(monkeyp
     monkeypatch.setattr("experiments.terminal.SECONDS_BETWEEN_LINES", 0.0)
     assert list(counted(["a", "b", "c"], "letters", Console(file=slow))) == ["a", "b", "c"]
     assert (quick.getvalue(), slow.getvalue().splitlines()[1:]) == ("", ["1 of 3 letters", "2 of 3 letters"])
+
+
+def test_what_takes_longer_is_told_once_and_what_is_quick_is_not() -> None:
+    out = io.StringIO()
+    with patience("writing", Console(file=out), silence=0.01):
+        deadline = time.monotonic() + 10
+        while not out.getvalue() and time.monotonic() < deadline:
+            time.sleep(0.005)
+    assert out.getvalue() == "writing\n"
+    with patience("writing", Console(file=out), silence=60):
+        pass
+    assert out.getvalue() == "writing\n"
