@@ -131,7 +131,9 @@ class HeadlessBrowser:
             if answer.get("id") == self._number:
                 if "error" in answer:
                     raise BrowserError(f"{method}: {answer['error']}")
-                return answer["result"]  # type: ignore[return-value]
+                result = answer["result"]
+                assert isinstance(result, dict)
+                return result
 
     def _next(self) -> dict[str, object]:
         while b"\0" not in self._rest:

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from treefit.asset.lod.stem_tree import StemTree
 from treefit.plant.rings import NO_COLLAR
+from treefit.plant.seats import share_along
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -153,11 +154,6 @@ def _seat(first, host, share, stem_of, kept, stems, centre):
         while not kept[high]:
             high += 1
         base, begin, end = centre[first[stem]], centre[low], centre[high]
-        along = reached = 0.0
-        for axis in range(3):
-            step = end[axis] - begin[axis]
-            along += step * step
-            reached += step * (base[axis] - begin[axis])
-        part = min(max(reached / max(along, 1e-30), 0.0), 1.0)
+        part = share_along(base, begin, end)
         for axis in range(3):
             centre[first[stem], axis] = begin[axis] + part * (end[axis] - begin[axis])
