@@ -157,6 +157,20 @@ def test_scores_that_are_all_the_same_do_no_harm(score: float) -> None:
         search.tell(np.full(len(genomes), score))
 
 
+@pytest.mark.parametrize("n", [1, 2, 3, 5])
+@pytest.mark.parametrize("score", ["the same", "noise", "bowl"])
+def test_few_genes_are_searched_to_the_end_whatever_the_scores_are(n: int, score: str) -> None:
+    rng = np.random.default_rng(n)
+    search = replace(SMALL, evaluations=2_000).begin(n, 0)
+    while not search.done:
+        genomes = search.ask()
+        assert ((genomes >= 0) & (genomes <= 1)).all()
+        bowl = 1 - ((genomes - 0.3) ** 2).sum(axis=1)
+        search.tell({"the same": np.full(len(genomes), 0.5), "noise": rng.random(len(genomes)), "bowl": bowl}[score])
+    if score == "bowl":
+        np.testing.assert_allclose(search.best(1)[0][0], 0.3, atol=0.01)
+
+
 def test_its_state_goes_on_the_same_out_of_a_file() -> None:
     """An array comes back in the order of its bytes in the file, upon which the last bit of a product depends."""
     one, other = cma_es(evaluations=2000).begin(20, 0), cma_es(evaluations=2000).begin(20, 0)

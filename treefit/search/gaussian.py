@@ -17,6 +17,12 @@ Floats = NDArray[np.float64]
 TURN_EVERY = 5
 """Generations between two decompositions of C, the dearest step; in one, about a hundredth of C is renewed."""
 
+FEW = 10
+"""Coordinates under which a generation renews so much of C that it is decomposed in each: else it is soon no covariance."""
+
+WIDEST = 1e3
+"""Of sigma and of a scale: where nothing is learnt, or of one coordinate alone, they drift out of all numbers."""
+
 
 @dataclass(frozen=True, eq=False)
 class Gaussian:
@@ -112,12 +118,12 @@ def learn(gaussian: Gaussian, rates: Rates, normals: Floats) -> Gaussian:
     learnt = replace(
         g,
         mean=g.place(step),
-        sigma=g.sigma * float(np.exp(min(1.0, rates.sigma_path / rates.damping * (length - 1)))),
-        scale=g.scale * np.exp(_growth(g, rates.scale, normals, far, scale_path)),
+        sigma=min(g.sigma * float(np.exp(min(1.0, rates.sigma_path / rates.damping * (length - 1)))), WIDEST),
+        scale=np.minimum(g.scale * np.exp(np.minimum(_growth(g, rates.scale, normals, far, scale_path), 1)), WIDEST),
         covariance=_covariance(g, rates.covariance, steps, far, covariance_path),
         sigma_path=sigma_path, scale_path=scale_path, covariance_path=covariance_path, generation=generation,
     )  # fmt: skip
-    return _turned(learnt) if generation % TURN_EVERY == 0 else learnt
+    return _turned(learnt) if n < FEW or generation % TURN_EVERY == 0 else learnt
 
 
 def _growth(g: Gaussian, rate: Rate, normals: Floats, far: Floats, path: Floats) -> Floats:
