@@ -26,7 +26,8 @@ def plant_of(arrays: Arrays, up: str = "z") -> Plant:
 
     Vertices may come in any order; the root moves to the origin. Without `level` a stem goes on where its child is
     thickest, and every other child begins a stem. Directions of leaves are made unit, and normals that are left out
-    point upwards. `complexity` is the count of vertices as the generator counts them. ValueError with one line for what is wrong: a loop, several roots, numbers that are not finite.
+    point upwards. `complexity` is the count of vertices as the generator counts them. ValueError with one line for what
+    is wrong: a loop, several roots, numbers that are not finite.
     """
     missing = [name for name in NEEDED if name not in arrays]
     if missing:

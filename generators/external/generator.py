@@ -74,7 +74,7 @@ class External:
         self._presets = self._beside(presets, "presets")
         if isinstance(space, ParameterSpace):
             self.__dict__["space"] = space.fix(**self._fixed)
-        elif self._space_file is not None:
+        if isinstance(space, ParameterSpace) or self._space_file is not None:
             self._check()
 
     @cached_property

@@ -1,7 +1,8 @@
-"""Tree file: what a foreign program wrote, an npz of arrays or a mesh, is read and becomes a Plant."""
+"""Tree file: what a foreign program wrote, arrays as npz or JSON, or a mesh, is read and becomes a Plant."""
 
 from __future__ import annotations
 
+import json
 import struct
 import zipfile
 import zlib
@@ -14,7 +15,7 @@ from generators.external.mesh import Mesh, read_mesh
 from generators.external.npz import read_npz
 from treefit.plant import Plant
 
-SUFFIXES = (".npz", ".glb")
+SUFFIXES = (".npz", ".glb", ".json")
 
 
 def read_tree(out: Path, limits: Limits, mesh: Mesh, up: str) -> Plant:
@@ -27,9 +28,12 @@ def read_tree(out: Path, limits: Limits, mesh: Mesh, up: str) -> Plant:
         if file.stat().st_size > limits.file:
             raise TooLarge(f"its file has {file.stat().st_size // 2**20} MiB, over {limits.file // 2**20}")
         if file.suffix == ".glb":
-            plant: Plant = read_mesh(file, mesh, limits.max_vertices)
-            return plant
-        return plant_of(read_npz(file, limits.max_vertices), up)
+            return read_mesh(file, mesh, limits.max_vertices)
+        arrays = read_npz(file, limits.max_vertices) if file.suffix == ".npz" else json.loads(file.read_bytes())
+        plant = plant_of(arrays, up)
+        if max(plant.n_vertices, plant.n_leaves) > limits.max_vertices:
+            raise TooLarge(f"has {plant.n_vertices:,} vertices, {plant.n_leaves:,} leaves, over generator.max_vertices")
+        return plant
     except GeneratorFault:
         raise
     except _DAMAGED as error:
