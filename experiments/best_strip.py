@@ -31,9 +31,10 @@ def write_best_strip(
     path: Path, result: Result, rgb: Picture, asset: AssetSettings, title: str, seen: TreeColours | None = None
 ) -> None:
     """Write the strip of `result`; `rgb` (h, w, 3) is the picture that its target was found in."""
-    shown = spread(result.improvements, MOST)
-    plants = [_plant(result, one) for one in shown]
-    extents = [extent_of(plant) for plant in plants if isinstance(plant, Plant)]
+    grown = [(one, _plant(result, one)) for one in spread(result.improvements, MOST)]
+    known = [(one, plant) for one, plant in grown if isinstance(plant, Plant)]  # a foreign program may fail now
+    shown, plants = [one for one, _ in known], [plant for _, plant in known]
+    extents = [extent_of(plant) for plant in plants]
     height, width = _panel_size(extents, len(shown) + 1)
     with ThreadPoolExecutor(THREADS) as pool:
         drawn = list(pool.map(lambda plant: _panels(plant, asset, height, width, seen), plants))
@@ -74,11 +75,7 @@ def _panel_size(extents: Sequence[Extent], columns: int) -> tuple[int, int]:
     return round(height), 2 * round(height * ratio / 2)
 
 
-def _panels(
-    plant: Plant | str, asset: AssetSettings, height: int, width: int, seen: TreeColours | None
-) -> Panels | str:
-    if isinstance(plant, str):
-        return plant
+def _panels(plant: Plant, asset: AssetSettings, height: int, width: int, seen: TreeColours | None) -> Panels | str:
     try:
         return drawn_panels(plant, asset, height, width, seen)
     except Exception as error:

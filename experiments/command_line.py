@@ -11,7 +11,7 @@ from pathlib import Path
 from experiments.errors import UserError
 from experiments.pictures import is_file, is_there
 
-FILE_KEYS = ("image", "preset", "mask.path", "mask.hint")
+FILE_KEYS = ("image", "preset", "mask.path", "mask.hint", "adapt.example")
 FOLDER_KEYS = ("resume", "hydra.run.dir", "hydra.sweep.dir", "tracking.uri", "memory.folder")
 START_KEY = "start"
 PATTERN_KEYS = ("similarities.masks", "compare.masks", "masks.pictures", "masks.references")

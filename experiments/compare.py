@@ -30,7 +30,7 @@ from experiments.settings import read_settings
 from experiments.sweep_parent import parent_run
 from experiments.write_run import write_json
 from treefit.evaluation import in_parallel
-from treefit.fit import SearchError
+from treefit.regrowth import SearchError
 from treefit.tracking import Tracker
 
 REPORT_SECONDS = 60.0

@@ -8,7 +8,7 @@ from typing import cast
 from omegaconf import DictConfig, OmegaConf
 
 from experiments.build import build
-from experiments.check import CONFIG_FOLDER
+from experiments.command_check import CONFIG_FOLDER
 from experiments.compare_settings import Compare, Setting
 from experiments.errors import UserError, did_you_mean
 from treefit.plant import Generator

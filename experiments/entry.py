@@ -17,15 +17,14 @@ from hydra.core.hydra_config import HydraConfig
 from omegaconf import DictConfig
 
 from experiments import names  # noqa: F401  worker processes of a launcher import this module: they need its resolver
-from experiments.check import check, check_names
+from experiments.command_check import check, check_names
 from experiments.command_line import is_sweep, prepare
 from experiments.errors import DONE, FAILED, WRONG_INPUT, UserError, is_input_error, one_line
 from experiments.pictures import find_file, is_file
 from experiments.run_folder import discard, in_sweep, run_folder, save_config, settle
 from experiments.sweep_table import write_job
-
-STOPPED = 130
-"""Exit status after Ctrl-C, as shells have it."""
+from experiments.termination import gentle, status_of
+from treefit.regrowth import GoneError
 
 _log = logging.getLogger(__name__)
 
@@ -42,7 +41,11 @@ def start(main: Callable[[], None]) -> int:
         say(error)
         return WRONG_INPUT
     try:
-        main()
+        with gentle():
+            main()
+    except KeyboardInterrupt as stop:  # of a task, `_attempt` has made an end already
+        print("stopped", file=sys.stderr)
+        return status_of(stop)
     except BrokenPipeError:  # whoever read the output, `head` or a pager, has seen enough
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return FAILED
@@ -73,9 +76,9 @@ def _attempt(cfg: DictConfig, given: Sequence[str], folder: Path) -> tuple[int, 
         if not settled.resume:
             save_config(settled, folder)
         import_module(f"experiments.{settled.task}").run(settled)
-    except KeyboardInterrupt:
+    except KeyboardInterrupt as stop:
         print(f"stopped{how_to_go_on(folder)}", file=sys.stderr)
-        sys.exit(STOPPED)
+        sys.exit(status_of(stop))
     except Exception as error:
         return _tell(error, bool(cfg.debug), folder, known_folder), one_line(error)
     finally:
@@ -103,7 +106,8 @@ def _tell(error: Exception, debug: bool, folder: Path, known_folder: bool) -> in
         if not in_sweep():
             discard(folder)
         return WRONG_INPUT
-    _log.error("%s (details: %s)", one_line(error), folder / "run.log", exc_info=error)
+    further = how_to_go_on(folder) if isinstance(error, GoneError) else ""
+    _log.error("%s%s (details: %s)", one_line(error), further, folder / "run.log", exc_info=error)
     return FAILED
 
 

@@ -9,6 +9,7 @@ from pydantic import ValidationError
 
 from experiments.build import build
 from experiments.errors import UserError, describe_validation
+from experiments.targets import opted_in
 from treefit.image import Extractor, FileMask, Help, HelpedMask
 
 HELP = tuple(Help.__dataclass_fields__)
@@ -20,7 +21,7 @@ def build_extractor(cfg_node: DictConfig, place: str) -> Extractor:
     assert isinstance(settings, dict)
     given = {name: settings[name] for name in HELP if settings.get(name) is not None}
     rest = {str(name): value for name, value in settings.items() if name not in HELP}
-    extractor = cast(Extractor, build(OmegaConf.create(rest), place))
+    extractor = cast(Extractor, build(OmegaConf.create(rest), place, opted_in(cfg_node)))
     if not given:
         return extractor
     if isinstance(extractor, FileMask):

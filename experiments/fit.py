@@ -32,7 +32,7 @@ from treefit.asset import AssetSettings, Level, check_possible
 from treefit.checkpoint import CheckpointError
 from treefit.distinct import Distinct
 from treefit.evaluation import Evaluator
-from treefit.fit import Result, Stop, fit
+from treefit.fit import Result, fit
 from treefit.mask import Mask
 from treefit.objective import View
 from treefit.plant import Generator
@@ -41,6 +41,7 @@ from treefit.progress import Failure, Generation
 from treefit.racing import Seeds
 from treefit.search import Strategy
 from treefit.similarity import Similarity
+from treefit.stop import Stop
 from treefit.tracking import Tracker
 
 
@@ -126,7 +127,7 @@ def _fit(cfg: DictConfig, mask: Mask, generator: Generator, tracker: Tracker, fo
                 other_seeds=settings.other_seeds, stop=Stop(settings.stop.score, settings.stop.seconds),
                 checkpoint=folder / "checkpoint.npz",
                 start=start_of(settings.start, settings.memory, generator, mask, folder),
-                on_generation=on_generation, on_improvement=live.on_improvement,
+                on_generation=on_generation, on_improvement=live.on_improvement, on_left_out=log.left_out,
             )  # fmt: skip
         except CheckpointError as error:
             raise UserError(f"resume: {error}") from error

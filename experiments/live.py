@@ -88,6 +88,7 @@ class Live(NoLive):
         self._history = read_history(folder / "history.jsonl")  # of a run that goes on
         self._best: tuple[Improvement, Objective] | None = None
         self._drawn: tuple[Improvement, Addresses] | None = None
+        self._tried: Improvement | None = None
         self._draw_at, self._failed = 0.0, False
         self._ended = threading.Event()
         self._thread = threading.Thread(target=self._work, name="live", daemon=True)
@@ -138,12 +139,17 @@ class Live(NoLive):
 
     def _draw(self) -> None:
         best = self._best
-        if best is None or (self._drawn and self._drawn[0] is best[0]):
+        if best is None or self._tried is best[0]:
             return
-        first, self._draw_at = self._drawn is None, math.inf  # a plant that cannot be drawn is not tried again
-        begun = time.thread_time()
         improvement, objective = best
-        plant = objective.grow(np.array(improvement.genome), objective.seed)
+        self._tried = improvement
+        begun = time.thread_time()
+        try:
+            plant = objective.grow(np.array(improvement.genome), objective.seed)
+        except Exception as error:  # a foreign generator may fail now and then: the next plant is another one
+            _log.debug("live page: not grown: %s", one_line(error))
+            return
+        first, self._draw_at = self._drawn is None, math.inf  # where one plant cannot be drawn, none is tried again
         self._drawn = improvement, embedded(drawn_panels(plant, self._asset, HEIGHT, self._width, self._seen))
         rest = 0.0 if first else (time.thread_time() - begun) / SHARE  # the first one has kernels to load
         self._draw_at = time.monotonic() + rest

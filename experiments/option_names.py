@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from omegaconf import DictConfig, OmegaConf
 
-from experiments.check import CONFIG_FOLDER
+from experiments.command_check import CONFIG_FOLDER
 
 
 def option_name(group: str, node: DictConfig) -> str | None:

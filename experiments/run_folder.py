@@ -41,8 +41,8 @@ def settle(cfg: DictConfig, given: Sequence[str]) -> DictConfig:
     if cfg.get("resume"):
         settled = _resumed(settled, given)
     OmegaConf.set_struct(settled, True)
-    for group, key in (("", "image"), ("", "preset"), ("mask", "path"), ("mask", "hint")):
-        node = settled[group] if group else settled
+    for group, key in (("", "image"), ("", "preset"), ("mask", "path"), ("mask", "hint"), ("adapt", "example")):
+        node = settled.get(group, {}) if group else settled
         if node.get(key) and (key != "preset" or is_file(str(node[key]))):  # else it is one of the generator's own
             node[key] = str(find_file(str(node[key]), f"{group}.{key}".strip(".")))
     if settled.get("start"):

@@ -26,10 +26,19 @@ class RunLog:
             _keep(self.history, "number", generation.number)
             self.failures = _keep(self.failed, "generation", generation.number)
         _append(self.history, [asdict(generation)])
-        new = failures[: MOST_FAILURES - self.failures]
+        self._append_failures(generation.number, failures)
+
+    def left_out(self, number: int, failure: Failure) -> None:
+        """Append what failed after `number` generations, when a tree was to be grown again."""
+        if self.failures < 0:
+            self.failures = _keep(self.failed, "generation", number)
+        self._append_failures(number, [failure])
+
+    def _append_failures(self, number: int, failures: list[Failure]) -> None:
+        new = failures[: max(MOST_FAILURES - self.failures, 0)]
         self.failures += len(new)
         if new:
-            _append(self.failed, ({"generation": generation.number, **asdict(failure)} for failure in new))
+            _append(self.failed, ({"generation": number, **asdict(failure)} for failure in new))
 
 
 def _keep(path: Path, key: str, before: int) -> int:

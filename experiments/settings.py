@@ -10,12 +10,15 @@ from omegaconf import DictConfig, OmegaConf
 from pydantic import BeforeValidator, ConfigDict, Field, TypeAdapter, ValidationError, ValidationInfo, field_validator
 from pydantic.dataclasses import dataclass
 
+from experiments.adapting.settings import Adapt
 from experiments.browse_settings import BrowseSettings
+from experiments.check_settings import Check
 from experiments.compare_settings import Compare
 from experiments.errors import UserError, describe_validation, did_you_mean
 from experiments.pictures import examples
 from experiments.seeds import SeedList
 from experiments.start_settings import MemorySettings, StartNames
+from experiments.targets import Modules
 
 GROUPS = (
     "generator",
@@ -34,6 +37,8 @@ TASKS = {
     "masks": ("mask",),
     "grow": ("generator", "asset"),
     "sheet": ("generator", "asset"),
+    "adapt": ("generator", "asset"),
+    "check": ("generator",),
     "benchmark": ("generator", "similarity", "view"),
     "fidelity": ("generator", "similarity", "view"),
     "speed_study": ("generator", "view"),
@@ -208,7 +213,10 @@ class Settings:
     objective: ObjectiveSettings = field(default_factory=ObjectiveSettings)
     seeds: SeedList = None
     live: bool = False
+    modules: Modules = ()
     masks: Masks = field(default_factory=Masks)
+    adapt: Adapt = Adapt()
+    check: Check = Check()
     sheet: Sheet = field(default_factory=Sheet)
     strip: Strip = field(default_factory=Strip)
     browse: BrowseSettings = field(default_factory=BrowseSettings)

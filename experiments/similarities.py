@@ -28,8 +28,8 @@ from experiments.similarities_page import means, page
 from experiments.similarities_sheet import sheet
 from experiments.similarities_targets import read_targets
 from treefit.candidates import REPORT_HEIGHT
-from treefit.fit import SearchError
 from treefit.mask import Mask
+from treefit.regrowth import SearchError
 from treefit.similarity import Mix
 from treefit.view import frame_for, sample
 

@@ -9,7 +9,7 @@ from omegaconf import DictConfig, OmegaConf
 
 from experiments.build import build
 from experiments.candidate_facts import metrics
-from experiments.check import CONFIG_FOLDER
+from experiments.command_check import CONFIG_FOLDER
 from experiments.read_tree import ReadTree
 from experiments.settings import read_settings
 from treefit.asset import MeshCounts

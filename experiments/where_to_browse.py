@@ -7,7 +7,7 @@ from typing import cast
 
 from omegaconf import DictConfig, OmegaConf
 
-from experiments.check import CONFIG_FOLDER
+from experiments.command_check import CONFIG_FOLDER
 from treefit.tracking import Tracker
 from treefit.tracking.local_store import LocalStore, find_store
 

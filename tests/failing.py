@@ -21,6 +21,7 @@ class Failing:
     share: float = 0.1
     how: str = "raise"  # raise | nan | cycle | empty | exit
     parallel: str = "threads"
+    pure: bool = True
     name: str = "failing"
     version: str = "1"
     size_parameter: str | None = "branch_len_0"

@@ -31,6 +31,7 @@ class OneSeed:
     name: str = "one_seed"
     version: str = "1"
     parallel: str = "threads"
+    pure: bool = True
     size_parameter: str | None = None
     age_parameter: str | None = None
     family: Path | None = None

@@ -21,11 +21,13 @@ from treefit.objective import Objective, Score
 from treefit.plant.characteristics import Characteristics
 from treefit.progress import Failure, Generation
 from treefit.racing import Seeds
+from treefit.regrowth import Regrowth
 from treefit.runners_up import RunnersUp, Told, strangers
 from treefit.search import CMAES, Hints
 from treefit.search.optimizer import Genomes
 from treefit.similarity import PaperSimilarity
 from treefit.view import OrthographicView
+from treefit.watch import Watch
 
 WISH = Distinct(image=0.05, within=0.1, genome=0.12)
 
@@ -63,7 +65,9 @@ class Count:
 
 
 def runners(goal: Objective, seeds: int = 1) -> RunnersUp:
-    return RunnersUp(goal, WISH, Hints.none(len(goal.space)), Evaluator("serial"), Seeds(seeds))
+    evaluator = Evaluator("serial")
+    watch, regrowth = Watch.of(goal.generator, evaluator), Regrowth(goal)
+    return RunnersUp(goal, WISH, Hints.none(len(goal.space)), evaluator, Seeds(seeds), watch, regrowth)
 
 
 def test_runners_up_keep_the_wished_distance_and_are_nearly_as_good(goal: Objective, ranked: list[Look]) -> None:

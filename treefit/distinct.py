@@ -5,12 +5,14 @@ from __future__ import annotations
 import logging
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from functools import partial
 from itertools import combinations
 
 import numpy as np
 
 from treefit.objective import Objective, Score
 from treefit.plant import Genome
+from treefit.regrowth import Regrowth, UngrownError
 
 LEAST = 0.01
 """Distance of two candidates at least, of masks as of genomes: under it they are one and the same tree."""
@@ -48,8 +50,10 @@ class Look:
 
     @classmethod
     def of(cls, objective: Objective, genome: Genome) -> Look | None:
-        """Look of `genome`; None when its plant cannot be scored."""
+        """Look of `genome`; None when its plant has no score; UngrownError when it had one, as far as anybody knows."""
         score = objective.mean(genome)
+        if score.failure is not None and not objective.generator.pure:
+            raise UngrownError(score.failure)
         if score.total <= 0:
             return None
         plant = objective.grow(genome, objective.seed)
@@ -66,9 +70,11 @@ def genome_distance(one: Genome, two: Genome) -> float:
     return float(np.sqrt(((one - two) ** 2).mean()))
 
 
-def looks(objective: Objective, genomes: Iterable[Genome]) -> list[Look]:
-    """Looks of what can be scored of `genomes`, best first."""
-    found = [look for genome in genomes if (look := Look.of(objective, genome)) is not None]
+def looks(objective: Objective, genomes: Iterable[Genome], regrowth: Regrowth | None = None) -> list[Look]:
+    """Looks of what can be scored of `genomes`, best first; what cannot be grown again is left out."""
+    regrowth = regrowth or Regrowth(objective)
+    tried = (regrowth.of(genome, partial(Look.of, objective, genome)) for genome in genomes)
+    found = [look for look in tried if look is not None]
     return sorted(found, key=lambda look: -look.score.total)
 
 

@@ -59,6 +59,11 @@ class Evaluator:
     workers: int = Field(default=0, ge=0, le=1024)
     chunk: int = Field(default=32, ge=1)  # genomes a task, at most
 
+    @property
+    def at_once(self) -> int:
+        """Count of workers."""
+        return self.workers or int(cpu_count())
+
     def __call__(
         self, objective: Objective, genomes: NDArray[np.float64], floors: NDArray[np.float64] | None = None
     ) -> list[Score]:
@@ -69,7 +74,7 @@ class Evaluator:
     @contextmanager
     def started(self, objective: Objective) -> Iterator[Batch]:
         """Keep threads for the many batches of a search; processes are kept by joblib itself."""
-        workers, kind = self.workers or cpu_count(), self.backend(objective)
+        workers, kind = self.at_once, self.backend(objective)
         pool = Parallel(n_jobs=workers, backend=BACKENDS[kind](), pre_dispatch="all")
 
         def batch(genomes: NDArray[np.float64], floors: NDArray[np.float64]) -> list[Score]:

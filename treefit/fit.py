@@ -14,25 +14,29 @@ import numpy as np
 from numpy.typing import NDArray
 from threadpoolctl import threadpool_limits
 
-from treefit.candidates import Candidate, judge
+from treefit.candidates import Candidate, judged
 from treefit.checkpoint import CheckpointError, read_checkpoint, write_checkpoint
-from treefit.distinct import Distinct, choose, looks
+from treefit.confirm import trusted
+from treefit.distinct import Distinct, looks
 from treefit.evaluation import Evaluator
 from treefit.family.hints import hints_of
 from treefit.image import AutoMask, Extractor, read_picture
 from treefit.improvements import Improvement
-from treefit.listeners import Listeners, OnGeneration, OnImprovement
+from treefit.listeners import Listeners, OnGeneration, OnImprovement, OnLeftOut
 from treefit.mask import Mask, check_mask
 from treefit.objective import Objective, Score, View
 from treefit.placing import place
 from treefit.plant import Budget, Generator, Values
 from treefit.plant.characteristics import Characteristics
 from treefit.progress import Generation, Progress
-from treefit.racing import Seeds, raced
+from treefit.racing import Seeds
+from treefit.regrowth import Regrowth, SearchError
 from treefit.runners_up import MOST, RunnersUp, Told
 from treefit.search import CMAES, Hints, Optimizer, Strategy
 from treefit.similarity import Mix, Similarity
+from treefit.stop import Stop
 from treefit.view import BitMask, OrthographicView, frame_for, sample
+from treefit.watch import Watch
 
 PATIENCE = 3
 """Generations without a single score after which a search gives up."""
@@ -42,20 +46,6 @@ MOST_LOOKED_AT = 64
 
 CHECKPOINT_SECONDS = 1.0
 """Seconds between two checkpoints: a disk may take longer to write one than a generation takes to be scored."""
-
-
-@dataclass(frozen=True)
-class Stop:
-    """When to end before the budget is spent: at a score, after seconds, or after so many plants; None for never."""
-
-    score: float | None = None
-    seconds: float | None = None
-    plants: int | None = None
-
-    def earlier(self, share: float, plants: int) -> Stop:
-        """Return the same for the search, a `share` of the time and of all `plants` being for what comes after it."""
-        seconds = None if self.seconds is None else (1 - share) * self.seconds
-        return Stop(self.score, seconds, round((1 - share) * plants))
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,10 +70,6 @@ class Result:
         return self.history[-1].seconds
 
 
-class SearchError(RuntimeError):
-    """Nothing could be scored at all; the message says why."""
-
-
 def fit(
     picture: Mask | str | Path,
     generator: Generator,
@@ -106,13 +92,15 @@ def fit(
     start: Sequence[Values] = (),
     on_generation: OnGeneration | None = None,
     on_improvement: OnImprovement | None = None,
+    on_left_out: OnLeftOut | None = None,
 ) -> Result:
     """Find parameters of `generator` whose plants look like `picture`, a mask (h, w) or the path of an image file.
 
     `start` are values of plants to begin from. Whatever is left out takes the defaults of the configuration; `budget`
     is, when left out, 4 times the most vertices that are wished for. With `checkpoint` the search goes on from that
     file if it exists, and keeps it up to date; the result is the same as that of a search that was never interrupted.
-    `on_generation` is told of each batch, `on_improvement` of each new best plant.
+    `on_generation` is told of each batch, `on_improvement` of each new best plant, `on_left_out` of what a foreign
+    generator could not grow again. One that fails on and on ends the search early, with what was found.
     Raises ValueError for a picture without a tree, CheckpointError for a checkpoint of another search, SearchError when
     no candidate at all could be scored.
     """
@@ -127,15 +115,20 @@ def fit(
     with threadpool_limits(1, "blas"):  # its threads would fight with the evaluator's, and sum in another order
         hints = hints_of(objective, mask, start)
         search = strategy.begin(len(objective.space), seed, hints)
-        listeners = Listeners(objective, on_generation, on_improvement)
+        listeners, watch = (
+            Listeners(objective, on_generation, on_improvement, on_left_out),
+            Watch.of(generator, evaluator),
+        )
         progress = _search(objective, search, evaluator, seeds, (stop or Stop()).earlier(share, plants), checkpoint,
-                           listeners, _fingerprint(objective, mask, strategy, hints, seeds))  # fmt: skip
-        ranked = looks(objective, search.best(MOST_LOOKED_AT)[0])
-        if share and ranked:
+                           listeners, _fingerprint(objective, mask, strategy, hints, seeds), watch)  # fmt: skip
+        regrowth = Regrowth(objective, lambda failure: listeners.left_out(progress, failure), watch.dead)
+        ranked = looks(objective, search.best(MOST_LOOKED_AT)[0], regrowth)
+        if share and ranked and not watch.dead:
             left = min(plants - progress.evaluations, round(progress.evaluations * share / (1 - share)) + 1)
             told = _tells(objective, progress, listeners)
-            ranked = RunnersUp(objective, wish, hints, evaluator, seeds).added(ranked, candidates, left, told)
-    found = [judge(objective, look.genome, mask, other_seeds) for look in choose(objective, ranked, candidates, wish)]
+            runners = RunnersUp(objective, wish, hints, evaluator, seeds, watch, regrowth.afresh())
+            ranked = runners.added(ranked, candidates, left, told)
+    found = judged(objective, ranked, candidates, wish, mask, other_seeds, regrowth.afresh())
     return Result(found, progress.history, progress.failures, mask, progress.improvements, objective)
 
 
@@ -160,23 +153,28 @@ def aim(
 
 def _search(
     objective: Objective, search: Optimizer, evaluator: Evaluator, seeds: Seeds, stop: Stop, checkpoint: Path | None,
-    listeners: Listeners, fingerprint: str,
+    listeners: Listeners, fingerprint: str, watch: Watch,
 ) -> Progress:  # fmt: skip
     progress = _restore(search, checkpoint, fingerprint)
     if evaluator.backend(objective) != "processes":  # what is compiled now is not on the clock; a crash may end nothing
         objective(np.full(len(objective.space), 0.5))
     started, written = time.perf_counter() - progress.seconds, -math.inf
-    with raced(evaluator, objective, seeds) as evaluate:
-        while not search.done and not _enough(progress, stop):
+    with trusted(evaluator, objective, seeds, watch, progress.best.total) as evaluate:
+        while not search.done and not stop.reached(progress) and not watch.dead:
             stage, genomes = search.stage, search.ask()
             scores, plants = evaluate(genomes, search.floors())
             search.tell(np.array([score.total for score in scores]))
             failures = progress.add(stage, objective, genomes, scores, time.perf_counter() - started, plants)
-            if progress.best.total == 0.0 and (search.done or len(progress.history) >= PATIENCE):
+            if progress.best.total == 0.0 and (search.done or watch.dead or len(progress.history) >= PATIENCE):
+                listeners.tell(progress, failures)
                 reason = progress.first_failure or "all masks were without any likeness"
                 raise SearchError(f"no candidate could be scored; the first reason: {reason}")
-            last = search.done or _enough(progress, stop)
-            if checkpoint is not None and (last or time.perf_counter() - written >= CHECKPOINT_SECONDS):
+            last = search.done or stop.reached(progress)
+            if (
+                checkpoint is not None
+                and not watch.in_doubt
+                and (last or time.perf_counter() - written >= CHECKPOINT_SECONDS)
+            ):
                 write_checkpoint(checkpoint, search.state(), {"fingerprint": fingerprint, "progress": asdict(progress)})
                 written = time.perf_counter()
             listeners.tell(progress, failures)
@@ -213,17 +211,6 @@ def _restore(search: Optimizer, checkpoint: Path | None, fingerprint: str) -> Pr
     search.restore(arrays)
     kept: Any = meta["progress"]
     return Progress.from_json(kept)
-
-
-def _enough(progress: Progress, stop: Stop) -> bool:
-    if not progress.history:
-        return False
-    now = progress.history[-1]
-    return (
-        (stop.score is not None and now.best >= stop.score)
-        or (stop.seconds is not None and now.seconds >= stop.seconds)
-        or (stop.plants is not None and now.evaluations >= stop.plants)
-    )
 
 
 def _fingerprint(objective: Objective, mask: Mask, strategy: Strategy, hints: Hints, seeds: Seeds) -> str:

@@ -16,6 +16,10 @@ OnImprovement = Callable[[Improvement, Objective], None]
 """Function that is told of each new best plant, `objective.grow(genome, objective.seed)`, before of its batch."""
 
 
+OnLeftOut = Callable[[int, Failure], None]
+"""Function that is told of a genome that cannot be grown again, with the number of generations so far."""
+
+
 @dataclass
 class Listeners:
     """Functions that are told; those that nobody gave are None."""
@@ -23,6 +27,7 @@ class Listeners:
     objective: Objective
     on_generation: OnGeneration | None = None
     on_improvement: OnImprovement | None = None
+    on_left_out: OnLeftOut | None = None
     _told: Improvement | None = None
 
     def tell(self, progress: Progress, failures: list[Failure]) -> None:
@@ -33,3 +38,9 @@ class Listeners:
             self.on_improvement(best, self.objective)
         if self.on_generation is not None:
             self.on_generation(progress.history[-1], failures)
+
+    def left_out(self, progress: Progress, failure: Failure) -> None:
+        """Count a genome that is left out after the search, and tell of it."""
+        progress.count(failure)
+        if self.on_left_out is not None:
+            self.on_left_out(len(progress.history), failure)

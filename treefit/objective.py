@@ -41,6 +41,13 @@ REDUCE: Mapping[str, Callable[[Sequence[float]], float]] = {
 """How the image similarities of several sides are joined, by name."""
 
 
+OVER_BUDGET = "over budget"
+"""How the failure of a plant begins that has more vertices or leaves than the budget."""
+
+UNGROWN = "not grown"
+"""Failure of a candidate that nobody tried to grow."""
+
+
 @dataclass(frozen=True)
 class Score:
     """Sim = ImSim times the characteristic multipliers; `failure` says why a candidate could not be scored.
@@ -81,11 +88,9 @@ class Objective:
         A score over `floor` is exact; one that cannot be over it may be 0.
         """
         try:
-            plant = self.grow(genome, self.seed)
-            check_plant(plant)
-            return self.score(plant, floor)
+            return self.score(self.grow(genome, self.seed), floor)
         except Exception as error:  # a foreign generator may raise anything, and must not end the run
-            return Score(0.0, failure=f"{type(error).__name__}: {error}".splitlines()[0][:500])
+            return Score(0.0, failure=reason_of(error))
 
     def on(self, seed: int) -> Objective:
         """Return the same objective on another seed, and on no further one."""
@@ -96,14 +101,16 @@ class Objective:
         return mean_score([self.on(seed)(genome) for seed in self.seeds], self.seeds)
 
     def grow(self, genome: Genome, seed: int) -> Plant:
-        """Plant of `genome` on `seed`."""
-        return self.generator(self.space.decode(genome), seed, self.budget)
+        """Plant of `genome` on `seed`, with nothing wrong in its numbers; a generator may raise anything instead."""
+        plant = self.generator(self.space.decode(genome), seed, self.budget)
+        check_plant(plant)
+        return plant
 
     def score(self, plant: Plant, floor: float = -math.inf) -> Score:
         """Score of a plant; 0 when the budget cut it, or when the image, at most 1, cannot lift it over `floor`."""
         if plant.cut:
             limits = f"{self.budget.vertices} vertices, {self.budget.leaves} leaves"
-            return Score(0.0, failure=f"over budget: more than {limits}")
+            return Score(0.0, failure=f"{OVER_BUDGET}: more than {limits}")
         multipliers = self.characteristics.multipliers(plant)
         bound = math.prod(multipliers.values())
         if bound <= floor:
@@ -119,6 +126,11 @@ class Objective:
     def allowance(self, front: object) -> float:  # noqa: ARG002
         """Factor of the score, 1 or under, by the description of the plant from the front; of no concern here."""
         return 1.0
+
+
+def reason_of(error: BaseException) -> str:
+    """One line that begins with the kind of `error`."""
+    return f"{type(error).__name__}: {error}".splitlines()[0][:500]
 
 
 def mean_score(scores: Sequence[Score], seeds: Sequence[int]) -> Score:

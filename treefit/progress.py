@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from treefit.improvements import Improvement, joined
-from treefit.objective import Objective, Score
+from treefit.objective import UNGROWN, Objective, Score
 from treefit.plant import Values
 
 
@@ -69,19 +69,28 @@ class Progress:
         """Plants grown so far."""
         return self.history[-1].evaluations if self.history else 0
 
+    def count(self, failure: Failure) -> None:
+        """Count `failure` by its kind, the words before the first colon."""
+        kind = failure.reason.partition(":")[0]
+        self.failures[kind] = self.failures.get(kind, 0) + 1
+        self.first_failure = self.first_failure or failure.reason
+
     def add(
         self, stage: str, objective: Objective, genomes: NDArray[np.float64], scores: list[Score], seconds: float,
         plants: int | None = None,
     ) -> list[Failure]:  # fmt: skip
-        """Take in a generation that ended after `seconds`, with `plants`, one a score if None; return what failed."""
+        """Take in a generation that ended after `seconds`, with `plants`, one a score if None; return what failed.
+
+        What nobody tried to grow is left out.
+        """
+        tried = [i for i, score in enumerate(scores) if not (score.failure or "").startswith(UNGROWN)]
+        genomes, scores = genomes[tried], [scores[i] for i in tried]
         failed = [(genome, score) for genome, score in zip(genomes, scores, strict=True) if score.failure is not None]
         failures = [
             Failure(str(score.failure), objective.space.decode(genome), objective.seed) for genome, score in failed
         ]
         for failure in failures:
-            kind = failure.reason.partition(":")[0]
-            self.failures[kind] = self.failures.get(kind, 0) + 1
-            self.first_failure = self.first_failure or failure.reason
+            self.count(failure)
         done, undrawn = (self.evaluations, self.history[-1].undrawn) if self.history else (0, 0)
         drawn = [score.total for score in scores if score.drawn]
         done, undrawn = done + (len(scores) if plants is None else plants), undrawn + len(scores) - len(drawn)

@@ -54,13 +54,20 @@ class Seeds:
 
 
 @contextmanager
-def raced(evaluator: Evaluator, objective: Objective, seeds: Seeds) -> Iterator[Race]:
-    """Keep the workers of `evaluator` for the many batches of a search; with one seed, its batches are left alone."""
+def raced(
+    evaluator: Evaluator, objective: Objective, seeds: Seeds, around: Callable[[Batch], Batch] = lambda batch: batch
+) -> Iterator[Race]:
+    """Keep the workers of `evaluator` for the many batches of a search; with one seed, its batches are left alone.
+
+    `around` makes, of the function that scores a batch, another one.
+    """
     if seeds.count == 1:
-        with evaluator.started(objective) as batch:
+        with evaluator.started(objective) as started:
+            batch = around(started)
             yield lambda genomes, floors: (batch(genomes, floors), len(genomes))
     else:
-        with evaluator.started(_OnSeeds.of(objective)) as batch:
+        with evaluator.started(_OnSeeds.of(objective)) as started:
+            batch = around(started)
             yield lambda genomes, _: race(batch, genomes, objective.seeds, seeds.rounds)
 
 

@@ -14,14 +14,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from treefit.apart import Apart
+from treefit.confirm import trusted
 from treefit.distinct import Distinct, Look, looks
 from treefit.evaluation import Evaluator
 from treefit.objective import Objective, Score
 from treefit.plant import Genome
-from treefit.racing import Seeds, raced
+from treefit.racing import Seeds
+from treefit.regrowth import Regrowth
 from treefit.search import CMAES, Hints
 from treefit.search.hints import Genomes
 from treefit.search.operators import one_dot_crossover
+from treefit.watch import Watch
 
 MOST = 2500
 """Genomes of such a search at most, however many the main one has: by then it is within a few percent of its end."""
@@ -51,6 +54,8 @@ class RunnersUp:
     hints: Hints
     evaluator: Evaluator
     seeds: Seeds
+    watch: Watch
+    regrowth: Regrowth
 
     def added(self, ranked: Sequence[Look], count: int, plants: int, told: Callable[[str], Told]) -> list[Look]:
         """Return `ranked`, best first, with what `plants` plants lead to when `count` candidates are wanted.
@@ -77,7 +82,7 @@ class RunnersUp:
             if refines:
                 starts = np.concatenate([max(known, key=apart.of_look).genome[None], starts])
             step = LAST_STEP if refines else STEP * reach
-            found = looks(self.objective, self._search(apart, starts, step, share, rng, told))
+            found = looks(self.objective, self._search(apart, starts, step, share, rng, told), self.regrowth)
             known += found
             if not any(look.score.total >= (1 - self.wish.within) * best.score.total for look in found):
                 halved += 1  # half as far is better than nothing
@@ -89,14 +94,14 @@ class RunnersUp:
         """Best genome (1, n) that `plants` plants find from the best of `starts` (m, n); (0, n) when too few."""
         odd = 2 * (self.seeds.count - 1)  # plants more for the first and last batch, too small to race as a large one
         evaluations = int((plants - odd) / self.seeds.plants)
-        if evaluations < 1 or len(starts) == 0:
+        if evaluations < 1 or len(starts) == 0 or self.watch.dead:
             return starts[:0]
         settings = CMAES(evaluations=evaluations, start="presets", start_share=1, start_most=len(starts),
                          known_step=step, min_population=POPULATION, max_population=POPULATION, growth=1)  # fmt: skip
         n = len(apart.space)
         search = settings.begin(n, int(rng.integers(2**31)), replace(Hints.none(n), known=starts))
-        with raced(self.evaluator, apart, self.seeds) as race:
-            while not search.done:
+        with trusted(self.evaluator, apart, self.seeds, self.watch) as race:
+            while not search.done and not self.watch.dead:
                 asked = search.ask()
                 scores, grown = race(asked, search.floors())
                 search.tell(np.array([score.total for score in scores]))

@@ -62,9 +62,8 @@ class Answers:
                     told, line = True, b""
                     continue
                 told = False
-                *whole, line = (line + chunk).split(b"\n")
-                for one in whole:
-                    self._take(one)
+                whole, _, line = (line + chunk).rpartition(b"\n")
+                self._take_all(whole)
                 line = line[-LONGEST:]
             self._take(line)
         except (OSError, ValueError):
@@ -84,6 +83,13 @@ class Answers:
         """Last words in a form that ends a sentence: ": it said ..."; "" when there were none."""
         lines = [line.strip() for line in self._words.decode("utf-8", "replace").splitlines() if line.strip()]
         return f"; its last words: {lines[-1][-KEPT:]}" if lines else ""
+
+    def _take_all(self, lines: bytes) -> None:
+        if b"{" in lines:
+            for line in lines.split(b"\n"):
+                self._take(line)
+        elif lines.strip():  # a flood is not taken apart
+            self._words = lines[-4 * KEPT :]
 
     def _take(self, line: bytes) -> None:
         answer = answer_in(line)

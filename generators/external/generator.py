@@ -129,6 +129,11 @@ class External:
         """State without processes: a copy in another process starts its own."""
         return {name: value for name, value in vars(self).items() if name not in ("_children", "_digests")}
 
+    def __setstate__(self, state: dict[str, object]) -> None:
+        """Take a state; all copies of one generator that come to a process share its programs, each task has one."""
+        self.__dict__.update(state)
+        self.__dict__["_children"], self.__dict__["_digests"] = _of_copies(repr((self._program, self.limits)), self)
+
     @cached_property
     def _children(self) -> Children:
         return Children(self._program.command, self.limits, self._program.environment)
@@ -161,6 +166,15 @@ class External:
             if wanted is not None and wanted not in names:
                 raise ExternalError(f"{role}: no parameter {wanted!r} in the space of {self.name}")
         _ = self.presets
+
+
+_copies: dict[str, tuple[Children, Digests]] = {}
+
+
+def _of_copies(key: str, copy: External) -> tuple[Children, Digests]:
+    if key not in _copies:
+        _copies[key] = Children(copy._program.command, copy.limits, copy._program.environment), Digests()
+    return _copies[key]
 
 
 def cut(plant: Plant, budget: Budget) -> Plant:

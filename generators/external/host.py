@@ -11,7 +11,7 @@ import os
 import sys
 from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import IO, Any
+from typing import IO, Any, cast
 
 import numpy as np
 
@@ -60,8 +60,7 @@ def arrays_of(tree: object, settings: Mapping[str, Any]) -> Mapping[str, Any]:
     if hasattr(tree, "faces") or hasattr(tree, "geometry"):
         from generators.external.mesh import Mesh, plant_of_scene
 
-        plant: object = plant_of_scene(tree, Mesh(**settings["mesh"]), settings["up"])
-        return vars(plant)
+        return vars(plant_of_scene(cast(Any, tree), Mesh(**settings["mesh"]), settings["up"]))
     raise TypeError(f"must return a Plant, arrays by name or a trimesh scene, got {type(tree).__name__}")
 
 

@@ -38,6 +38,7 @@ class GEGen:
     name: ClassVar[str] = "gegen"
     version: ClassVar[str] = "1"
     parallel: ClassVar[str] = "threads"
+    pure: ClassVar[bool] = True
     size_parameter: ClassVar[str | None] = "internode"
     age_parameter: ClassVar[str | None] = "age"
     family: ClassVar[Path | None] = Path(__file__).parent / "family"

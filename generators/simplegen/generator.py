@@ -38,6 +38,7 @@ class SimpleGen:
     name: ClassVar[str] = "simplegen"
     version: ClassVar[str] = "2"
     parallel: ClassVar[str] = "threads"
+    pure: ClassVar[bool] = True
     size_parameter: ClassVar[str | None] = "branch_len_0"
     age_parameter: ClassVar[str | None] = None
     family: ClassVar[Path | None] = Path(__file__).parent / "family"

@@ -52,6 +52,7 @@ class WeberPennGen:
     name: ClassVar[str] = "weberpenn"
     version: ClassVar[str] = "1"
     parallel: ClassVar[str] = "threads"
+    pure: ClassVar[bool] = True
     size_parameter: ClassVar[str | None] = "scale"
     age_parameter: ClassVar[str | None] = None
     family: ClassVar[Path | None] = Path(__file__).parent / "family"

@@ -17,6 +17,7 @@ from treefit.search import CMAES
 from treefit.view import OrthographicView
 
 PICTURE = np.full((256, 256, 3), (90, 120, 200), np.uint8)
+_PLANT = best_strip._plant
 
 
 @pytest.fixture(scope="module")
@@ -70,3 +71,23 @@ def test_a_plant_that_cannot_be_drawn_leaves_its_reason_in_the_strip(
     monkeypatch.setattr(best_strip, "put_reason", lambda page, reason, *place: told.append(reason))
     write_best_strip(tmp_path / "a.png", result, PICTURE, AssetSettings(), "t")
     assert set(told) == {"not drawn: division by zero"}
+
+
+def test_a_plant_that_cannot_be_grown_again_is_left_out_of_the_strip(
+    tmp_path: Path, result: Result, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    lost, names = spread(result.improvements, MOST)[0], list[str]()
+    page = best_strip._page
+
+    def heard(columns: object, words: list[tuple[str, str]], *rest: object) -> Image.Image:
+        names.extend(name for name, _ in words)
+        return page(columns, words, *rest)
+
+    monkeypatch.setattr(best_strip, "_page", heard)
+    monkeypatch.setattr(best_strip, "_plant", lambda all, one: "no answer" if one is lost else _PLANT(all, one))
+    write_best_strip(tmp_path / "a.png", result, PICTURE, AssetSettings(), "t")
+    shown = [f"after {one.evaluations:,}" for one in spread(result.improvements, MOST) if one is not lost]
+    assert names == ["the picture", *shown]
+    monkeypatch.setattr(best_strip, "_plant", lambda all, one: "no answer")
+    write_best_strip(tmp_path / "b.png", result, PICTURE, AssetSettings(), "t")
+    assert (tmp_path / "b.png").is_file()

@@ -5,7 +5,7 @@ import pytest
 from omegaconf import OmegaConf
 
 from experiments.build import build
-from experiments.check import CONFIG_FOLDER, check, check_names
+from experiments.command_check import CONFIG_FOLDER, check, check_names
 from experiments.errors import UserError
 from treefit.opengl import gl_missing
 
@@ -39,7 +39,8 @@ WRONG = {
     "=3": "'=3': write name=value",
     "a b=3": "a b: cannot read '3'",
     "seed=1,2": "seed: '1,2' means several runs; add -m",
-    "view._target_=os.system": "view: _target_ must start with one of",
+    "view._target_=os.system": "view: _target_ must be of treefit, generators, got 'os.system'",
+    "generator=external": "generator: give either command, e.g. generator.command=[python3,my_tree.py], or callable=",
     "characteristics.vertices=lots": "characteristics.vertices: must be a number, a range [low, high] or {min: low,",
     "characteristics.vertices={most: 5}": "or {min: low, max: high}, got {'most': 5}",
     "characteristics.vertices=1": "characteristics.vertices: must be greater than or equal to 2, got 1",
@@ -114,8 +115,9 @@ def test_every_preset_is_right(preset: str) -> None:
 
 
 NEEDS_GL = "view=pyrender"
+NEEDS_MORE = ("file", "external", "eztree", "modular_tree", "pyhelios")  # a path, a program or an extra
 GROUPS = {
-    folder.name: [f"{folder.name}={path.stem}" for path in sorted(folder.glob("*.yaml")) if path.stem != "file"]
+    folder.name: [f"{folder.name}={path.stem}" for path in sorted(folder.glob("*.yaml")) if path.stem not in NEEDS_MORE]
     for folder in CONFIG_FOLDER.iterdir()
     if folder.is_dir() and folder.name not in ("experiment", "hydra")
 }

@@ -5,7 +5,7 @@ from hydra.core.override_parser.overrides_parser import OverridesParser
 from hypothesis import given
 from hypothesis import strategies as st
 
-from experiments.check import check
+from experiments.command_check import check
 from experiments.command_line import prepare, quote, split_names
 from experiments.errors import UserError
 

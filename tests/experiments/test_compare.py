@@ -11,7 +11,7 @@ from hydra.core.hydra_config import HydraConfig
 from omegaconf import DictConfig, open_dict
 
 from experiments import compare
-from experiments.check import CONFIG_FOLDER
+from experiments.command_check import CONFIG_FOLDER
 from experiments.command_line import prepare
 from experiments.compare_options import strategies
 from experiments.compare_plan import plan

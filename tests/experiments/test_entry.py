@@ -11,6 +11,7 @@ from PIL import Image, ImageDraw
 
 from experiments import entry
 from tests.experiments.program import RUN, Done, finish, run_program
+from treefit.regrowth import GoneError, SearchError
 
 
 @pytest.fixture
@@ -84,3 +85,14 @@ def test_help_names_every_group_and_task(here: Path) -> None:
 def test_a_stopped_run_says_how_to_go_on_when_something_is_kept(tmp_path: Path, kept: str, words: str) -> None:
     (tmp_path / kept).mkdir(parents=True)
     assert entry.how_to_go_on(tmp_path) == (words and f"{words}{tmp_path}")
+
+
+def test_a_run_whose_generator_is_gone_says_how_to_go_on(tmp_path: Path, caplog: pytest.LogCaptureFixture) -> None:
+    (tmp_path / "checkpoint.npz").touch()
+    assert (
+        entry._tell(GoneError("no\nmore"), False, tmp_path, True)
+        == entry._tell(SearchError("no"), False, tmp_path, True)
+        == 1
+    )
+    details = f" (details: {tmp_path / 'run.log'})"
+    assert caplog.messages == [f"no more; to go on: python run.py resume={tmp_path}{details}", f"no{details}"]

@@ -5,7 +5,7 @@ import pytest
 from hydra import compose, initialize_config_dir
 from omegaconf import DictConfig
 
-from experiments.check import CONFIG_FOLDER
+from experiments.command_check import CONFIG_FOLDER
 from experiments.errors import UserError
 from experiments.extractor import build_extractor
 from treefit.image import ColourMask, FileMask, Help, HelpedMask

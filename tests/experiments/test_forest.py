@@ -11,7 +11,7 @@ import pytest
 import yaml
 from PIL import Image
 
-from experiments.check import check
+from experiments.command_check import check
 from experiments.errors import UserError
 from experiments.forest import write_forest
 from experiments.seeds import read_seeds

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import logging
 import time
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -15,6 +16,7 @@ from experiments.read_tree import ReadTree
 from generators.simplegen import SimpleGen
 from tests.conftest import blob
 from tests.experiments.test_search_stages import generation
+from tests.foreign import Foreign, dead
 from treefit.asset import AssetSettings
 from treefit.fit import aim
 from treefit.image import Extraction, Picture
@@ -117,3 +119,17 @@ def test_a_long_history_is_thinned_but_for_its_ends(tmp_path: Path, monkeypatch:
         assert shown._now().history[-1].number == number
     assert len(shown._now().history) <= 51
     assert shown._now().history[0].number == 0
+
+
+def test_a_plant_that_cannot_be_grown_again_is_skipped_and_a_later_one_is_shown(
+    tmp_path: Path, objective: Objective, caplog: pytest.LogCaptureFixture
+) -> None:
+    flaky = replace(objective, generator=Foreign(lambda number, _, seed: dead() if number == 0 else seed))
+    with caplog.at_level(logging.WARNING), page(tmp_path) as shown:
+        shown.on_improvement(middle(flaky, 1), flaky)
+        shown.on_generation(generation(0, "random"))
+        wait_for(tmp_path, '"evaluations": "100"')
+        shown.on_improvement(middle(flaky, 2), flaky)
+        shown.on_generation(generation(1, "random"))
+        assert "the best after 1 " not in wait_for(tmp_path, "the best after 2")
+    assert caplog.messages == []

@@ -13,7 +13,7 @@ from omegaconf import open_dict
 from PIL import Image
 
 from experiments import masks
-from experiments.check import CONFIG_FOLDER
+from experiments.command_check import CONFIG_FOLDER
 from experiments.masks_measure import Found, agreement, iou
 from experiments.masks_page import means, page
 from experiments.masks_sheet import sheet

@@ -10,7 +10,7 @@ from typing import ClassVar
 import pytest
 import yaml
 
-from experiments.check import check
+from experiments.command_check import check
 from experiments.errors import UserError
 from experiments.preset import find_preset
 from generators.simplegen import SimpleGen

@@ -13,7 +13,7 @@ import pytest
 from numpy.typing import NDArray
 from PIL import Image
 
-from experiments.check import check
+from experiments.command_check import check
 from experiments.errors import UserError
 from experiments.sheet import parameter_rows, preset_blocks
 from experiments.sheet_cells import BUDGET, Cell, Drawing, grow

@@ -15,7 +15,7 @@ from omegaconf import DictConfig, OmegaConf, open_dict
 from PIL import Image
 
 from experiments import similarities
-from experiments.check import CONFIG_FOLDER
+from experiments.command_check import CONFIG_FOLDER
 from experiments.command_line import prepare
 from experiments.errors import UserError
 from experiments.settings import Variant, read_settings

@@ -11,7 +11,7 @@ import pytest
 import yaml
 
 from experiments.beginning import remember, start_of
-from experiments.check import check
+from experiments.command_check import check
 from experiments.command_line import prepare
 from experiments.errors import UserError
 from experiments.start import find_start

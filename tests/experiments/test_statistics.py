@@ -14,7 +14,7 @@ from hydra.core.hydra_config import HydraConfig
 from omegaconf import DictConfig, open_dict
 
 from experiments import statistics, statistics_collect, statistics_plots
-from experiments.check import CONFIG_FOLDER
+from experiments.command_check import CONFIG_FOLDER
 from experiments.drawn_crowns import COLUMNS, HABITS, ROWS, drawn_crown
 from experiments.errors import UserError
 from experiments.settings import read_settings

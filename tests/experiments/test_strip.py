@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from experiments.check import check
+from experiments.command_check import check
 from experiments.errors import UserError
 from experiments.settings import Strip
 from experiments.sheet_cells import same
@@ -40,6 +40,7 @@ class Growing:
     name: str = "growing"
     version: str = "1"
     parallel: str = "threads"
+    pure: bool = True
     size_parameter: str | None = None
     age_parameter: str | None = "age"
     family: Path | None = None

@@ -11,8 +11,8 @@ from generators.gegen import generator
 from generators.gegen.scratch import Scratch
 from generators.gegen.tree import BORN, X, Z
 from tests.generators.grown import BROAD, GENERATOR, grow, random_values
-from tests.generators.test_contract import same
 from treefit.plant import check_plant
+from treefit.plant.contract import same
 
 
 def test_the_tree_of_a_year_is_the_beginning_of_that_of_the_next() -> None:

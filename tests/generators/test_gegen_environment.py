@@ -13,8 +13,8 @@ from PIL import Image
 from generators.gegen import Environment, GEGen, gegen
 from generators.gegen.field import CELLS, HIGH, WIDE
 from generators.gegen.voxels import coverage
-from tests.generators.test_contract import same
 from treefit.plant import Budget, Plant, Value
+from treefit.plant.contract import same
 
 BUDGET = Budget(6_000, 12_000)
 FREE: Mapping[str, Value] = {

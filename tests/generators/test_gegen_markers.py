@@ -9,8 +9,9 @@ import pytest
 
 from generators.gegen import GEGen, gegen
 from generators.gegen.markers import AHEAD, MARKER, REACH, TAKEN, cube_of, marker_at
-from tests.generators.test_contract import plants, same
+from tests.generators.test_contract import plants
 from treefit.plant import Budget, Plant, check_plant
+from treefit.plant.contract import same
 from treefit.plant.streams import child_key, seed_key
 
 SEED = 5

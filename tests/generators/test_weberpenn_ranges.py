@@ -7,11 +7,11 @@ import pytest
 from generators.weberpenn import WeberPennGen
 from tests.conftest import blob
 from tests.generators.plausible import plausible_share
-from tests.generators.test_contract import same
 from treefit.fit import aim
 from treefit.mask import Mask
 from treefit.plant import Budget, Value, check_plant
 from treefit.plant.characteristics import Characteristics
+from treefit.plant.contract import same
 from treefit.similarity import PaperSimilarity
 from treefit.view import OrthographicView
 

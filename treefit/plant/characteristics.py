@@ -131,8 +131,8 @@ class Characteristics:
 
 
 def vertices(plant: Plant) -> float:
-    """Count of vertices in the branch graph."""
-    return float(plant.n_vertices)
+    """Count of vertices in the branch graph, or the complexity that the plant of a mesh declares."""
+    return float(plant.n_vertices) if plant.complexity is None else plant.complexity
 
 
 def height(plant: Plant) -> float:

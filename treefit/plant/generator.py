@@ -25,7 +25,7 @@ class Budget:
 
 
 class Generator(Protocol):
-    """A pure function of (values, seed, budget): the same input gives the same bytes."""
+    """A function of (values, seed, budget): the same input is to give the same bytes."""
 
     @property
     def name(self) -> str:
@@ -38,6 +38,13 @@ class Generator(Protocol):
     @property
     def parallel(self) -> str:
         """How several calls run at once: "threads" when the work releases the GIL, else "processes"."""
+
+    @property
+    def pure(self) -> bool:
+        """Whether the same input surely gives the same bytes, or the same failure; a foreign program only may.
+
+        Where it is False, a search grows every new best plant a second time before it believes its score.
+        """
 
     @property
     def size_parameter(self) -> str | None:

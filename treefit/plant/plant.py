@@ -38,6 +38,7 @@ class Plant:
     leaf_size: Floats  # (k, 2) length, width in m
     cut: bool = False  # True when the budget ended the growth
     look: Look | None = None  # what no mask sees; None is a round trunk and leaves without a wish
+    complexity: float | None = None  # count of vertices as its generator counts them, when a mesh was read
 
     @classmethod
     def of_rows(cls, numbers: Floats, integers: Ints, leaves: Floats, cut: bool, look: Look | None = None) -> Plant:
@@ -98,6 +99,8 @@ def check_plant(plant: Plant) -> None:
             raise ValueError(f"plant: {name} must have shape {shape}, got {getattr(plant, name).shape}")
     if v < 2:
         raise ValueError(f"plant: needs at least 2 vertices, got {v}")
+    if plant.complexity is not None and not 0 < plant.complexity < np.inf:
+        raise ValueError(f"plant: complexity must be a number over 0, got {plant.complexity}")
     if plant.look is not None:
         check_look(plant.look)
     wrong = _faults(plant.rows, plant.radius, plant.parent)

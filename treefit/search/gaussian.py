@@ -18,7 +18,7 @@ TURN_EVERY = 5
 """Generations between two decompositions of C, the dearest step; in one, about a hundredth of C is renewed."""
 
 FEW = 10
-"""Coordinates under which a generation renews so much of C that it is decomposed in each: else it is soon no covariance."""
+"""Coordinates under which a generation renews so much of C that it is decomposed in each: it soon is no covariance."""
 
 WIDEST = 1e3
 """Of sigma and of a scale: where nothing is learnt, or of one coordinate alone, they drift out of all numbers."""

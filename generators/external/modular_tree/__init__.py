@@ -6,9 +6,11 @@ from collections.abc import Mapping
 from importlib.metadata import version
 from importlib.util import find_spec
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from generators.external.generator import External
-from treefit.plant import Value
+if TYPE_CHECKING:  # the child process starts by importing this file
+    from generators.external.generator import External
+    from treefit.plant import Value
 
 PACKAGE = "modular-tree"
 INSTALL = 'pip install "treefit[modular_tree]"'
@@ -27,6 +29,8 @@ def modular_tree(
     """Return the generator; ValueError with the command that installs it when the package is not there."""
     if not installed():
         raise ValueError(f"modular_tree: the package {PACKAGE} is not installed; install it by: {INSTALL}")
+    from generators.external.generator import External
+
     return External(
         name="modular_tree",
         version=f"{version(PACKAGE)}-{_RULES}",
