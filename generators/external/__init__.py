@@ -18,4 +18,5 @@ __all__ = ["External", "ExternalError", "Mesh"]
 def __getattr__(name: str) -> object:
     if name not in __all__:
         raise AttributeError(f"module 'generators.external' has no attribute {name!r}")
-    return getattr(import_module("generators.external.mesh" if name == "Mesh" else "generators.external.generator"), name)
+    home = "mesh" if name == "Mesh" else "generator"
+    return getattr(import_module(f"generators.external.{home}"), name)

@@ -10,7 +10,7 @@ from typing import IO, Any, TypeAlias
 
 from generators.external.limits import WORDS
 
-LONGEST = 2**16
+LONGEST = 2**20
 """Bytes of a line; what is longer is no answer."""
 
 KEPT = 400

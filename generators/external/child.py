@@ -36,7 +36,12 @@ class Child:
         Refused with its own words when it says that it cannot; another GeneratorFault when it fails.
         """
         out = self.folder / f"tree-{self._asked + 1}"
-        self.ask({"values": dict(values), "seed": seed, "out": str(out)})
+        try:
+            self.ask({"values": dict(values), "seed": seed, "out": str(out)})
+        except Refused:
+            for file in self.folder.glob(f"{out.name}.*"):
+                file.unlink(missing_ok=True)
+            raise
         return out
 
     def ask(self, request: Mapping[str, object]) -> Answer:
@@ -75,7 +80,7 @@ class Child:
             answer = self._process.wait(end - time.perf_counter())
             if answer is None:
                 raise self._process.died()
-            if answer["id"] == self._asked:
+            if answer["id"] == self._asked and answer["id"] is not True:
                 return answer
 
 

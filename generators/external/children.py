@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import itertools
 import os
+import subprocess
 import threading
 import time
+import uuid
 import weakref
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
@@ -13,7 +15,9 @@ from pathlib import Path
 
 from generators.external.child import Child
 from generators.external.faults import NoTree, Refused, TooLarge
+from generators.external.guard import start_guard
 from generators.external.limits import Limits
+from generators.external.marks import MARK
 from generators.external.scratch import remove, scratch_folder
 
 PATIENCE = 0.3
@@ -24,11 +28,12 @@ class Children:
     """Copies of `command`; one that failed is ended, with all that it started, and the next request has a new one."""
 
     def __init__(self, command: Sequence[str], limits: Limits, environment: Mapping[str, str]) -> None:
-        self._command, self._limits, self._environment = list(command), limits, dict(environment)
+        self._command, self._limits = list(command), limits
         self._idle: list[Child] = []
         self._lock, self._numbers = threading.Lock(), itertools.count(1)
-        self._root: list[Path] = []
-        self._close = weakref.finalize(self, _close, self._idle, self._root, os.getpid())
+        self._room = _Room()
+        self.environment = {**environment, MARK: self._room.mark}
+        self._close = weakref.finalize(self, _close, self._idle, self._room, os.getpid())
 
     @contextmanager
     def one(self) -> Iterator[Child]:
@@ -38,7 +43,7 @@ class Children:
         if child is not None and not child.alive:
             child.end()
             child = None
-        child = child or Child(self._command, self.folder(), self._limits, self._environment)
+        child = child or Child(self._command, self.folder(), self._limits, self.environment)
         try:
             yield child
         except (Refused, NoTree, TooLarge):  # it did as it was asked, only the tree is none
@@ -58,16 +63,39 @@ class Children:
     def folder(self) -> Path:
         """A new place in the scratch folder, not made yet."""
         with self._lock:
-            if not self._root:
-                self._root.append(scratch_folder())
-            return self._root[0] / str(next(self._numbers))
+            return self._room.folder() / str(next(self._numbers))
 
     def close(self) -> None:
         """End all of them, and remove the scratch folder."""
         self._close()
 
 
-def _close(idle: list[Child], root: list[Path], owner: int) -> None:
+class _Room:
+    """Scratch folder of the programs, made when the first one needs it, and the guard over both."""
+
+    def __init__(self) -> None:
+        self.mark = uuid.uuid4().hex
+        self._folder: Path | None = None
+        self._guard: subprocess.Popen[bytes] | None = None
+
+    def folder(self) -> Path:
+        """The folder."""
+        if self._folder is None:
+            self._folder = scratch_folder()
+            self._guard = start_guard(self.mark, self._folder)
+        return self._folder
+
+    def clear(self) -> None:
+        """Remove the folder; nobody needs a guard any more."""
+        if self._guard is not None:
+            self._guard.kill()
+            self._guard.communicate()
+        if self._folder is not None:
+            remove(self._folder)
+        self._folder = self._guard = None
+
+
+def _close(idle: list[Child], room: _Room, owner: int) -> None:
     if os.getpid() != owner:  # a forked copy of the process has none of its own
         return
     for child in idle:
@@ -75,5 +103,4 @@ def _close(idle: list[Child], root: list[Path], owner: int) -> None:
     end = time.perf_counter() + PATIENCE
     while idle:
         idle.pop().end(max(end - time.perf_counter(), 0.0))
-    while root:
-        remove(root.pop())
+    room.clear()

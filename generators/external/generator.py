@@ -147,7 +147,7 @@ class External:
         if is_template(command):
             folder = self._children.folder()
             try:
-                out = grow_once(command, values, seed, folder, self.limits, self._program.environment)
+                out = grow_once(command, values, seed, folder, self.limits, self._children.environment)
                 return read_tree(out, self.limits, self._mesh, self._up)
             finally:
                 remove(folder)

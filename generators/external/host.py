@@ -15,6 +15,8 @@ from typing import IO, Any, cast
 
 import numpy as np
 
+from generators.external.npz_writer import write_npz
+
 Grow = Callable[[dict[str, Any], int], object]
 
 
@@ -74,8 +76,8 @@ def _upright(name: str, values: object) -> object:
 
 def write(arrays: Mapping[str, Any], out: str) -> None:
     """Write the fields of a Plant among `arrays` to the file `out`.npz."""
-    known: dict[str, Any] = {name: np.asarray(arrays[name]) for name in FIELDS if arrays.get(name) is not None}
-    np.savez(out + ".npz", **known)
+    known = {name: np.asarray(arrays[name]) for name in FIELDS if arrays.get(name) is not None}
+    write_npz(out + ".npz", known)
 
 
 FIELDS = (

@@ -18,15 +18,10 @@ import psutil
 from generators.external.answers import Answer, Answers, Ended, TooMuch
 from generators.external.faults import Died, Flooded, OutOfMemory, TimedOut
 from generators.external.limits import GIB, Limits
-
-MARK = "TREEFIT_CHILD"
-"""Variable of the environment that a program hands to its children: by it those that left its group are found."""
+from generators.external.marks import MARK, end_marked
 
 LOOK = 0.05
 """Seconds between two looks at the memory of a process that is at work."""
-
-ROUNDS = 5
-"""How often children are looked for while new ones are found."""
 
 
 class Process:
@@ -35,13 +30,14 @@ class Process:
     def __init__(
         self, command: Sequence[str], folder: Path, limits: Limits, environment: Mapping[str, str], *, listens: bool
     ) -> None:
-        self.limits, self.mark, self._started = limits, uuid.uuid4().hex, time.time() - 1.0
+        self.limits, self._started = limits, time.time() - 1.0
+        self._mark = f"{environment.get(MARK, '')}/{uuid.uuid4().hex}"
         try:
             self._process = subprocess.Popen(
                 list(command), stdin=subprocess.PIPE if listens else subprocess.DEVNULL, stdout=subprocess.PIPE,
                 stderr=subprocess.STDOUT, start_new_session=True, bufsize=0,
                 env={**os.environ, "OMP_NUM_THREADS": "1", **environment, **dict.fromkeys(_TEMPORARY, str(folder)),
-                     MARK: self.mark},
+                     MARK: self._mark},
             )  # fmt: skip
         except OSError as error:
             raise Died(f"cannot start {command[0]}: {error.strerror or error}") from None
@@ -98,14 +94,14 @@ class Process:
         return Died(f"the program ended with {how}{self.answers.quoted()}")
 
     def held(self, *, with_children: bool) -> int:
-        """Bytes of memory that it holds."""
-        held = 0
+        """Bytes of memory that it holds; what several share is counted once, where the system can tell."""
+        processes: list[psutil.Process] = []
         with suppress(psutil.Error):
-            process = psutil.Process(self._process.pid)
-            for one in [process, *(process.children(recursive=True) if with_children else ())]:
-                with suppress(psutil.Error):
-                    held += one.memory_info().rss
-        return held
+            processes = [psutil.Process(self._process.pid)]
+            processes += processes[0].children(recursive=True) if with_children else []
+        held = sum(_resident(one) for one in processes)
+        several = len(processes) > 1 and held > self.limits.memory
+        return sum(_share(one) for one in processes) if several else held
 
     def check_memory(self) -> None:
         """Raise OutOfMemory when it holds more, with its children, than it may."""
@@ -130,13 +126,10 @@ class Process:
             os.killpg(self._process.pid, signal.SIGKILL)
         with suppress(OSError):
             self._process.kill()
-        for _ in range(ROUNDS):
-            for one in descendants:
-                with suppress(psutil.Error):
-                    one.kill()
-            descendants = self._marked()
-            if not descendants:
-                break
+        for one in descendants:
+            with suppress(psutil.Error):
+                one.kill()
+        end_marked(self._mark, self._started)
         with suppress(subprocess.TimeoutExpired):
             self._process.wait(2.0)
         self._process.stdout.close() if self._process.stdout is not None and self.answers.ended.wait(0.2) else None
@@ -146,16 +139,6 @@ class Process:
         with suppress(subprocess.TimeoutExpired):
             return self._process.wait(seconds)
         return None
-
-    def _marked(self) -> list[psutil.Process]:
-        """Processes that carry its mark: those that it started, whatever group they joined."""
-        found = []
-        for process in psutil.process_iter():
-            with suppress(psutil.Error, OSError):
-                young = process.create_time() >= self._started and process.pid != self._process.pid
-                if young and process.environ().get(MARK) == self.mark and process.status() != psutil.STATUS_ZOMBIE:
-                    found.append(process)
-        return found
 
 
 _TEMPORARY = ("TMPDIR", "TEMP", "TMP")
@@ -167,6 +150,20 @@ def _limit(pid: int, limits: Limits) -> None:
         process = psutil.Process(pid)
         process.rlimit(psutil.RLIMIT_CORE, (0, 0))
         process.rlimit(psutil.RLIMIT_FSIZE, (limits.file, limits.file))
+
+
+def _resident(process: psutil.Process) -> int:
+    with suppress(psutil.Error):
+        return int(process.memory_info().rss)
+    return 0
+
+
+def _share(process: psutil.Process) -> int:
+    """Bytes that it holds, its part of those that it shares with others."""
+    with suppress(psutil.Error):
+        held = process.memory_full_info()
+        return int(getattr(held, "pss", held.rss))
+    return 0
 
 
 def _signal_name(number: int) -> str:

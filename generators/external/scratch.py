@@ -21,8 +21,14 @@ def scratch_folder() -> Path:
 
 
 def remove(folder: Path) -> None:
-    """Remove `folder` with all that is in it, as far as that can be done."""
+    """Remove `folder` with all that is in it, locked folders too, as far as that can be done."""
     shutil.rmtree(folder, ignore_errors=True)
+    if folder.exists():
+        for locked in [folder, *folder.rglob("*")]:
+            with suppress(OSError):
+                if locked.is_dir() and not locked.is_symlink():
+                    locked.chmod(0o700)
+        shutil.rmtree(folder, ignore_errors=True)
 
 
 def _sweep(place: Path) -> None:
