@@ -2,11 +2,12 @@ from __future__ import annotations
 
 import math
 import pickle
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
-from treefit.plant import Budget, Plant
+from treefit.plant import Budget, Plant, check_plant
 from treefit.plant.characteristics import MEASURES, Characteristics, OfHeight
 from treefit.plant.extent import extent_of
 
@@ -30,6 +31,12 @@ def test_measures_of_a_pole_are_its_own() -> None:
     assert MEASURES["leaf_size"](plant) == pytest.approx(0.5)
     assert MEASURES["leaf_density"](plant) == pytest.approx(math.pi / 4 * 0.5 * 0.25 / voxel)
     assert MEASURES["branch_density"](plant) == pytest.approx(math.pi * 0.01 * 4 / voxel, rel=1e-5)
+
+
+def test_a_plant_that_declares_its_complexity_has_that_many_vertices() -> None:
+    assert MEASURES["vertices"](replace(pole(), complexity=812.5)) == 812.5
+    with pytest.raises(ValueError, match="complexity must be a number over 0, got nan"):
+        check_plant(replace(pole(), complexity=math.nan))
 
 
 def test_extent_counts_leaves_from_every_side() -> None:

@@ -11,10 +11,11 @@ _CAP = 0.1  # of the radius: what ends so near behind a ring is the middle of it
 
 
 @njit(cache=True, nogil=True)
-def worthy(centre, radius, parent):
+def worthy(centre, radius, parent, loose):
     """Whether each ring (m,) is one of a stem. A piece that begins with the middle of a cap begins behind it instead.
 
-    Of the ways on from a ring the longest is the stem; others are bumps when they end within its radius.
+    Of the ways on from a ring the longest is the stem; others are bumps when they end within its radius, or begin with
+    a `loose` ring (m,).
     """
     count = radius.shape[0]
     kept, step, reach = np.ones(count, np.bool_), np.zeros(count), np.zeros(count)
@@ -31,7 +32,7 @@ def worthy(centre, radius, parent):
         p = parent[r]
         if p < 0:
             continue
-        bump = longest[p] != r and reach[r] + step[r] < radius[p]
+        bump = longest[p] != r and (loose[r] or reach[r] + step[r] < radius[p])
         cap = children[r] == 0 and parent[p] >= 0 and step[r] < _CAP * radius[p]
         kept[r] = kept[p] and not bump and not cap
     for r in range(count):

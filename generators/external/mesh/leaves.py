@@ -17,7 +17,7 @@ from generators.external.mesh.vectors import cross, dot, row
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int32]
 
-_CELLS = 48  # cells in the extent of the wood at first, in which wood near to a leaf is looked for
+_CELLS = 40  # cells in the extent of the wood at first, in which wood near to a leaf is looked for
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,7 +57,7 @@ def _wood_near(middle: Floats, rings: Rings) -> Floats:
     while np.isnan(found[:, 0]).any() and cell < 8 * extent:
         first, items, _ = grid_of(rings.centre, rings.radius, rings.parent, cell)
         nearest(middle, rings.centre, rings.parent, first, items, cell, found)
-        cell *= 4
+        cell *= 2
     return np.where(np.isnan(found), rings.centre[:1], found)
 
 

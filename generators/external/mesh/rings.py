@@ -77,11 +77,12 @@ def _rings(
     """Rings of pieces without forks, by the level of each place (n,), the place before it and the order of levels."""
     ring, parent, pieces = level_sets(triangles, level, before, order, source, piece)
     first, members = members_of(ring, order, len(parent))
-    weight = weights(places, triangles, level)
+    weight, loose = weights(places, triangles, level), np.zeros(len(parent), np.bool_)
     if beside is not None:
         weight[beside] *= _BESIDE
+        loose = np.bincount(ring[ring >= 0], ~beside[ring >= 0], len(parent)) < 3  # no round
     centre, radius = measured(places, weight, first, members, parent)
-    kept = worthy(centre, radius, parent)
+    kept = worthy(centre, radius, parent, loose)
     place = (np.cumsum(kept) - 1).astype(np.int32)
     above = parent[kept]
     parent = np.where(above >= 0, place[above], -1).astype(np.int32)

@@ -83,7 +83,7 @@ def _close(
     others = _farthest(triangles, piece, open_, ends)[0]
     level = _farthest(triangles, piece, open_, others)[1]
     rings = level[ends] + 1
-    short = np.bincount(piece, minlength=len(open_))[~open_] > rings * (rings - 1)
+    short = np.bincount(piece, minlength=len(open_))[~open_] > (rings - 1) * (rings - 2)
     rims(triangles, level, ends[~short], source)
     soles(places, triangles, ends[short], others[short], source)
 
