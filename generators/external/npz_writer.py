@@ -20,7 +20,7 @@ def write_npz(path: str, arrays: Mapping[str, NDArray[Any]]) -> None:
     parts: list[Any] = []
     index, place = b"", 0
     for name, array in arrays.items():
-        head, data = _header(array), memoryview(np.ascontiguousarray(array).reshape(-1).view(np.uint8))
+        head, data = _header(array), np.ascontiguousarray(array).reshape(-1).view(np.uint8).data
         member, size = f"{name}.npy".encode(), len(head) + len(data)
         crc = zlib.crc32(data, zlib.crc32(head))
         facts = struct.pack("<5H3I2H", 20, 0, 0, 0, _DATE, crc, size, size, len(member), 0)
