@@ -36,7 +36,7 @@ class Process:
             self._process = subprocess.Popen(
                 list(command), stdin=subprocess.PIPE if listens else subprocess.DEVNULL, stdout=subprocess.PIPE,
                 stderr=subprocess.STDOUT, start_new_session=True, bufsize=0,
-                env={**os.environ, "OMP_NUM_THREADS": "1", **environment, **dict.fromkeys(_TEMPORARY, str(folder)),
+                env={**_ONE_THREAD, **os.environ, **environment, **dict.fromkeys(_TEMPORARY, str(folder)),
                      MARK: self._mark},
             )  # fmt: skip
         except OSError as error:
@@ -142,6 +142,8 @@ class Process:
 
 
 _TEMPORARY = ("TMPDIR", "TEMP", "TMP")
+_ONE_THREAD = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"), "1")
+"""Each core has a worker with a program of its own; numpy alone takes half of the time to start."""
 
 
 def _limit(pid: int, limits: Limits) -> None:
