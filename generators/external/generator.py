@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import copy
 from collections.abc import Mapping
-from dataclasses import asdict, replace
+from dataclasses import replace
 from functools import cached_property
 from pathlib import Path
 from typing import Annotated, Any, Literal
@@ -65,7 +65,7 @@ class External:
     ) -> None:
         self._mesh = mesh or Mesh()
         self._up = up if callable is None else "z"  # the trees of a function are turned by its host
-        self._program = program_of(command, callable, {"mesh": asdict(self._mesh), "up": up})
+        self._program = program_of(command, callable, up)
         self.name, self.version = name or self._program.name, version or self._program.version
         self.size_parameter, self.age_parameter = size_parameter, age_parameter
         self.limits = Limits(timeout, int(memory * GIB), max_vertices)

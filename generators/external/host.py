@@ -1,4 +1,4 @@
-"""Host: the child process that serves a Python function: `python host.py module:function settings`.
+"""Host: the child process that serves a Python function: `python host.py module:function up`.
 
 It is run as a file and imports numpy only, so that it starts at once.
 """
@@ -11,7 +11,7 @@ import os
 import sys
 from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import IO, Any, cast
+from typing import IO, Any
 
 import numpy as np
 
@@ -20,18 +20,18 @@ from generators.external.npz_writer import write_npz
 Grow = Callable[[dict[str, Any], int], object]
 
 
-def main(name: str, settings: str) -> None:
+def main(name: str, up: str) -> None:
     """Answer requests until there are no more; what the function prints goes where it disturbs nothing."""
     answers = os.fdopen(os.dup(1), "w", encoding="utf-8", buffering=1)
     os.dup2(2, 1)
     sys.path[0] = str(Path.cwd())  # where the user's modules are, in place of where this file is
     module, _, function = name.partition(":")
     grow: Grow = getattr(importlib.import_module(module), function)
-    serve(grow, sys.stdin, answers, json.loads(settings))
+    serve(grow, sys.stdin, answers, up)
 
 
-def serve(grow: Grow, requests: IO[str], answers: IO[str], settings: Mapping[str, Any]) -> None:
-    """Answer each line of `requests` by a line of `answers`; `settings` are how meshes are read."""
+def serve(grow: Grow, requests: IO[str], answers: IO[str], up: str) -> None:
+    """Answer each line of `requests` by a line of `answers`; the axis `up` of the trees, y or z, points upwards."""
     for line in requests:
         request = json.loads(line)
         answer: dict[str, object] = {"id": request.get("id"), "ok": True}
@@ -39,7 +39,7 @@ def serve(grow: Grow, requests: IO[str], answers: IO[str], settings: Mapping[str
             if request.get("ask") == "preset":
                 answer["values"] = preset_of(grow)
             else:
-                write(arrays_of(grow(request["values"], request["seed"]), settings), request["out"])
+                hand_over(grow(request["values"], request["seed"]), request["out"], up)
         except Exception as error:  # whatever a function raises is an answer
             answer.update(ok=False, error=f"{type(error).__name__}: {error}")
         answers.write(json.dumps(answer) + "\n")
@@ -53,17 +53,22 @@ def preset_of(grow: Grow) -> Mapping[str, object]:
     return preset
 
 
-def arrays_of(tree: object, settings: Mapping[str, Any]) -> Mapping[str, Any]:
-    """Arrays by name, z upwards, of what a function returned: a Plant, such arrays, or a mesh of trimesh."""
+def hand_over(tree: object, out: str, up: str) -> None:
+    """Write what a function returned: a Plant or arrays by name as npz, z upwards, a mesh of trimesh as GLB."""
     if hasattr(tree, "leaf_position"):
-        return vars(tree)
-    if isinstance(tree, Mapping):
-        return {name: _upright(name, tree[name]) for name in tree} if settings["up"] == "y" else tree
-    if hasattr(tree, "faces") or hasattr(tree, "geometry"):
-        from generators.external.mesh import Mesh, plant_of_scene
+        write(vars(tree), out)
+    elif isinstance(tree, Mapping):
+        write({name: _upright(name, tree[name]) for name in tree} if up == "y" else tree, out)
+    elif hasattr(tree, "apply_transform") and hasattr(tree, "export"):
+        if up == "z":
+            tree.apply_transform(_LYING)
+        tree.export(out + ".glb")
+    else:
+        raise TypeError(f"must return a Plant, arrays by name or a trimesh scene, got {type(tree).__name__}")
 
-        return vars(plant_of_scene(cast(Any, tree), Mesh(**settings["mesh"]), settings["up"]))
-    raise TypeError(f"must return a Plant, arrays by name or a trimesh scene, got {type(tree).__name__}")
+
+_LYING = [[1, 0, 0, 0], [0, 0, 1, 0], [0, -1, 0, 0], [0, 0, 0, 1]]
+"""Turns z upwards into y upwards, as a GLB has it."""
 
 
 def _upright(name: str, values: object) -> object:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import hashlib
 import importlib.machinery
-import json
 import os
 import shutil
 import sys
@@ -35,15 +34,15 @@ class Program:
     environment: Mapping[str, str] = field(default_factory=dict)
 
 
-def program_of(command: Sequence[str] | None, function: str | None, settings: Mapping[str, object]) -> Program:
+def program_of(command: Sequence[str] | None, function: str | None, up: str) -> Program:
     """Program of a `command`, or that serves the Python `function` ("package.module.name" or an entry point).
 
-    `settings` are what that server is told of how to read meshes.
+    That server turns trees whose axis `up`, y or z, points upwards.
     ValueError with one line when neither or both are given, or when there is no such program or module.
     """
     if (command is None) == (function is None):
         raise ValueError("give either command, e.g. generator.command=[python3,my_tree.py], or callable=my_tree.grow")
-    return _of_command(command) if command is not None else _of_function(str(function), settings)
+    return _of_command(command) if command is not None else _of_function(str(function), up)
 
 
 def _of_command(command: Sequence[str]) -> Program:
@@ -61,7 +60,7 @@ def _of_command(command: Sequence[str]) -> Program:
     return Program((program, *parts), home, name, _version(map(Path, whole)))
 
 
-def _of_function(name: str, settings: Mapping[str, object]) -> Program:
+def _of_function(name: str, up: str) -> Program:
     points = {point.name: point.value for point in entry_points(group=GROUP)}
     target = points.get(name, name).replace(":", ".")
     module, _, function = target.rpartition(".")
@@ -72,7 +71,7 @@ def _of_function(name: str, settings: Mapping[str, object]) -> Program:
     if file is None:
         raise ValueError(f"callable: there is no module {module!r}, neither installed nor in {Path.cwd()}")
     path = os.pathsep.join([str(_PROJECT), *filter(None, [os.environ.get("PYTHONPATH")])])
-    command = (sys.executable, str(_HOST), f"{module}:{function}", json.dumps(settings))
+    command = (sys.executable, str(_HOST), f"{module}:{function}", up)
     return Program(command, file.parent, name.rpartition(".")[0] or name, _version([file]), {"PYTHONPATH": path})
 
 

@@ -50,6 +50,13 @@ def scene(values: dict[str, Any], seed: int) -> trimesh.Scene:
     return trimesh.Scene({"trunk": trunk, "leaf": leaf})
 
 
+def lying_scene(values: dict[str, Any], seed: int) -> trimesh.Scene:
+    """The same with y upwards."""
+    found = scene(values, seed)
+    found.apply_transform([[1, 0, 0, 0], [0, 0, 1, 0], [0, -1, 0, 0], [0, 0, 0, 1]])
+    return found
+
+
 def raises(values: dict[str, Any], seed: int) -> object:
     """Nothing but an error over two lines."""
     raise LookupError("no bark\nleft")

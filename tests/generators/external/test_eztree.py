@@ -28,7 +28,7 @@ def missing() -> str | None:
     return None
 
 
-pytestmark = [pytest.mark.node, pytest.mark.skipif(missing() is not None, reason=str(missing()))]
+pytestmark = [pytest.mark.slow, pytest.mark.node, pytest.mark.skipif(missing() is not None, reason=str(missing()))]
 
 MESH = Path(__file__).parent / "eztree_mesh.mjs"
 BUDGET = Budget(1_000_000, 1_000_000)

@@ -54,13 +54,21 @@ def test_y_upwards_is_turned_once(grown: Grown) -> None:
     assert grown.plant("lying", up="y").position.tolist() == [[0, 0, 0], [0, 0, 3], [1, 0, 6]]
 
 
-def test_a_mesh_is_read_in_the_child_and_tells_its_complexity(grown: Grown) -> None:
+@pytest.mark.slow
+def test_a_mesh_is_read_and_tells_its_complexity(grown: Grown) -> None:
     plant = grown.plant("scene")
     assert plant.position[:, 2].max() == pytest.approx(8, abs=0.3)
     assert plant.radius.max() == pytest.approx(0.2, rel=0.1)
     assert plant.n_leaves == 1
     assert plant.complexity is not None
     assert plant.complexity >= 16
+
+
+@pytest.mark.slow
+def test_a_mesh_may_lie_in_either_way(grown: Grown) -> None:
+    standing, lying = grown.plant("scene"), grown.plant("lying_scene", up="y")
+    np.testing.assert_array_equal(standing.position, lying.position)
+    np.testing.assert_array_equal(standing.leaf_axis, lying.leaf_axis)
 
 
 @pytest.mark.parametrize(

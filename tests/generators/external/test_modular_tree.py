@@ -18,6 +18,8 @@ from generators.external.space import read_space
 from treefit.plant import Budget, Value, Values, read_presets
 from treefit.view import Frame, OrthographicView
 
+pytestmark = pytest.mark.slow  # an extra
+
 HOME = Path(adapter.__file__).parent
 SPACE = read_space(HOME / "space.yaml")
 PRESETS = read_presets(HOME / "presets")

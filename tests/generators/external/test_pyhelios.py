@@ -23,6 +23,8 @@ from treefit.plant import Plant, Value, Values, read_presets
 from treefit.plant.extent import extent_of
 from treefit.view import Frame, OrthographicView
 
+pytestmark = pytest.mark.slow  # an extra
+
 HOME = Path(adapter.__file__).parent
 SPACE = read_space(HOME / "space.yaml")
 PRESETS = read_presets(HOME / "presets")

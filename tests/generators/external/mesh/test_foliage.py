@@ -8,6 +8,8 @@ from generators.external.mesh import Mesh, plant_of_scene
 from tests.generators.external.mesh.shapes import card, joined, pole, scene
 from treefit.plant import Plant
 
+pytestmark = pytest.mark.slow  # kernels of meshes take half a minute to compile
+
 AREA = np.pi / 4  # of a leaf by its length and width
 
 

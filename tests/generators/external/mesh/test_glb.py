@@ -16,6 +16,8 @@ from treefit.asset import AssetSettings, write_glb
 from treefit.plant import Budget, Generator, Plant
 from treefit.view import Frame, OrthographicView
 
+pytestmark = pytest.mark.slow  # kernels of meshes take half a minute to compile
+
 MOST = 200_000
 PLAIN = AssetSettings(texture_size=0, leaf_fold=0, leaf_outline="broad")
 

@@ -8,6 +8,8 @@ from generators.external.mesh import Mesh, plant_of_scene
 from tests.generators.external.mesh.shapes import card, joined, pole, scene
 from treefit.plant.characteristics import MEASURES
 
+pytestmark = pytest.mark.slow  # kernels of meshes take half a minute to compile
+
 CARD = [0.1, 0, 1.4], [0.5, 0, 0], [0, 0.2, 0]
 
 

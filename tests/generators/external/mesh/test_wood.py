@@ -9,6 +9,8 @@ from generators.external.mesh import Mesh, plant_of_scene
 from tests.generators.external.mesh.shapes import INNER, bend, joined, pole, scene, tube
 from treefit.plant import Plant
 
+pytestmark = pytest.mark.slow  # kernels of meshes take half a minute to compile
+
 LIFT = np.array([0.0, 0.0, 0.15])  # so that the foot of a skin is at the ground
 
 
