@@ -49,7 +49,7 @@ class Child:
         limit = self._limits.timeout + (0.0 if self._asked else START)
         self._asked += 1
         self._process.answers.begin()
-        self._process.write(json.dumps({"id": self._asked, **request}).encode() + b"\n")
+        self._process.write(json.dumps({"id": self._id, **request}).encode() + b"\n")
         answer = self._answer(time.perf_counter() + limit)
         if answer["ok"] is not True:
             raise Refused(_one_line(answer.get("error") or "it said no reason"))
@@ -74,13 +74,18 @@ class Child:
         """Whether it runs."""
         return self._process.alive
 
+    @property
+    def _id(self) -> int:
+        """Number of the last request: 1, 1001, ...: what a program answers ahead of a request fits none."""
+        return 1 + 1000 * (self._asked - 1)
+
     def _answer(self, end: float) -> Answer:
         """The answer to the last request; those to earlier ones are too late."""
         while True:
             answer = self._process.wait(end - time.perf_counter())
             if answer is None:
                 raise self._process.died()
-            if answer["id"] == self._asked and answer["id"] is not True:
+            if answer["id"] == self._id and answer["id"] is not True:
                 return answer
 
 

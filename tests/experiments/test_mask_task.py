@@ -55,6 +55,7 @@ def test_a_mask_is_corrected_in_a_paint_program_and_given_back(tmp_path: Path) -
     assert np.array_equal(FileMask(tmp_path / "corrected.png")(picture).mask, expected)
 
 
+@pytest.mark.slow
 def test_the_outline_that_is_proposed_finds_the_same_tree() -> None:
     picture = read_picture(OAK)
     first = ColourMask()(picture).mask

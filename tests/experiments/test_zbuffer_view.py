@@ -10,6 +10,7 @@ from treefit.plant import Plant
 from treefit.view import Frame
 
 
+@pytest.mark.slow
 def test_it_is_the_textbook_pixel_by_pixel(plants: list[Plant]) -> None:
     for plant in plants[:2]:
         part = young(plant, 150, 60)

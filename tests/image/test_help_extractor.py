@@ -129,6 +129,7 @@ def test_an_outline_outside_the_crop_is_refused() -> None:
         HelpedMask(ColourMask(), Help(outline=OUTLINE, crop=(200, 0, 360, 300)))(scene())
 
 
+@pytest.mark.slow
 def test_the_same_help_gives_the_same_bytes(tmp_path: Path) -> None:
     hint = painted(tmp_path / "hint.png", scene(), (GREEN, [(70, 90), (130, 130)]))
     extractor = HelpedMask(ColourMask(), Help(outline=OUTLINE, hint=hint, point=(LEFT, 100)))

@@ -8,6 +8,7 @@ from scripts.mask_training.exam import main
 from treefit.image.read import read_mask_file, read_picture
 
 
+@pytest.mark.slow
 def test_pictures_of_the_kinds_asked_for_stand_beside_their_exact_masks(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

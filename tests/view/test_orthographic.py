@@ -12,6 +12,7 @@ from treefit.view import BitMask, Frame, OrthographicView
 FRAME = Frame(128, 4)
 
 
+@pytest.mark.slow
 def test_the_silhouette_is_that_of_the_slow_view_to_the_pixel_edge(plants: list[Plant]) -> None:
     for plant in plants:
         fast, slow = OrthographicView()(plant, FRAME).unpack() > 0, zbuffer_mask(plant, FRAME) > 0

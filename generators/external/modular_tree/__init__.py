@@ -13,7 +13,7 @@ if TYPE_CHECKING:  # the child process starts by importing this file
     from treefit.plant import Value
 
 PACKAGE = "modular-tree"
-INSTALL = 'pip install "treefit[modular_tree]"'
+INSTALL = 'pip install "treefit[modular-tree]"'
 
 _HOME = Path(__file__).parent
 _RULES = "1"  # changes when the same tree of the package becomes another plant

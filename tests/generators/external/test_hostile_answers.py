@@ -8,6 +8,8 @@ import pytest
 
 from tests.generators.external.hostile_room import Fault, Room, but_slow, hostile_room
 
+pytestmark = pytest.mark.slow
+
 LOUD: dict[str, Fault] = {
     "uncaught": ("Died", "status 1; its last words: .*the bark|is loose"), "segfault": ("Died", "signal SIGSEGV"),
     "exit_0": ("Died", "status 0"), "exit_3": ("Died", "status 3"), "eat_memory": ("OutOfMemory", "GiB of memory"),

@@ -104,6 +104,8 @@ from pathlib import Path
 from generators.external import External
 from generators.external.space import read_space
 from treefit.plant import Budget
+
+pytestmark = pytest.mark.slow
 generator = External(command=sys.argv[2:], space=read_space(sys.argv[1]), timeout=60)
 threading.Timer(0.7, lambda: print(generator._children.folder().parent, flush=True)).start()
 generator(generator.space.complete({}), 1, Budget())

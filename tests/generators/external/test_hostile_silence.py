@@ -10,6 +10,8 @@ import pytest
 from generators.external.faults import Died, TimedOut
 from tests.generators.external.hostile_room import Fault, Room, but_slow, hostile_room
 
+pytestmark = pytest.mark.slow
+
 IN_TIME = "no tree in 0.4 s"
 SILENT: dict[str, Fault] = {
     "hang": ("TimedOut", IN_TIME), "spin": ("TimedOut", IN_TIME), "stop": ("TimedOut", IN_TIME),

@@ -44,6 +44,7 @@ def test_a_template_is_filled_in_without_a_shell() -> None:
     ]  # fmt: skip
 
 
+@pytest.mark.slow
 def test_a_program_is_run_once_a_tree(generator: External) -> None:
     values = {"trunk.height": 9.0, "bare": False}
     assert generator(values, 1, Budget()).position[1, 2] == 9
