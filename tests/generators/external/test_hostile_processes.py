@@ -18,6 +18,8 @@ from generators.external import External
 from tests.generators.external.hostile_room import COMMAND, HERE, SPACE, Fault, Room, but_slow, hostile_room
 from treefit.plant import Budget
 
+pytestmark = pytest.mark.slow
+
 ENDED: dict[str, Fault] = {
     "fork_and_die": ("Died", "status 3"), "fork_and_hang": ("TimedOut", "no tree in 0.4 s"),
     "daemon_and_die": ("Died", "status 3"), "daemon_and_hang": ("TimedOut", "no tree in 0.4 s"),
@@ -104,8 +106,6 @@ from pathlib import Path
 from generators.external import External
 from generators.external.space import read_space
 from treefit.plant import Budget
-
-pytestmark = pytest.mark.slow
 generator = External(command=sys.argv[2:], space=read_space(sys.argv[1]), timeout=60)
 threading.Timer(0.7, lambda: print(generator._children.folder().parent, flush=True)).start()
 generator(generator.space.complete({}), 1, Budget())
