@@ -129,7 +129,7 @@ def test_every_searched_parameter_changes_the_tree() -> None:
 
 def test_missing_package_is_told_with_the_command_that_installs_it(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(adapter, "find_spec", lambda _: None)
-    with pytest.raises(ValueError, match=r'not installed; install it by: pip install "treefit\[modular_tree\]"$'):
+    with pytest.raises(ValueError, match=r'not installed; install it by: pip install "treefit\[modular-tree\]"$'):
         adapter.modular_tree()
 
 
